@@ -1,0 +1,47 @@
+#pragma once
+
+#include "framework/math/ray.h"
+#include "framework/scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace luch {
+
+/// Work that traversal did; depends on kernel and width: reported, never asserted.
+struct WorkCounts {
+    std::uint64_t boxes = 0;
+    std::uint64_t primitives = 0;
+
+    WorkCounts& operator+=(const WorkCounts& other) {
+        boxes += other.boxes;
+        primitives += other.primitives;
+        return *this;
+    }
+};
+
+/// Finds what rays meet in one scene. Built once, then read by any number of threads. Techniques do
+/// not call it: they shoot through a Tracer, which counts. A ray with a NaN, an infinite origin or a
+/// zero direction misses.
+class Accelerator {
+ public:
+    virtual ~Accelerator() = default;
+    /// The nearest hit of a ray, by nearer(); no hit: Hit{}.
+    virtual Hit closest(const Ray& ray, WorkCounts& work) const = 0;
+    /// The nearest hit with one node only.
+    virtual Hit closest_in(NodeId node, const Ray& ray, WorkCounts& work) const = 0;
+    /// Whether anything at all is hit.
+    virtual bool occluded(const Ray& ray, WorkCounts& work) const = 0;
+    /// Memory held, in bytes.
+    virtual std::uint64_t bytes() const = 0;
+};
+
+/// Binned-SAH BVHs over the triangles of every mesh, and one over the nodes. Keeps a reference to the
+/// scene, which must outlive it.
+std::unique_ptr<Accelerator> build_accelerator(const Scene& scene);
+
+/// The oracle: tests every primitive of every node. Slow on purpose.
+Hit closest_brute(const Scene& scene, const Ray& ray);
+
+}  // namespace luch

@@ -1,0 +1,68 @@
+# luch_layer(name SOURCES … LINK …): a layer of the framework, the static library luch_<name>.
+function(luch_layer name)
+  cmake_parse_arguments(layer "" "" "SOURCES;LINK;PRIVATE" ${ARGN})
+  add_library(luch_${name} STATIC ${layer_SOURCES})
+  target_link_libraries(luch_${name} PUBLIC ${layer_LINK} PRIVATE ${layer_PRIVATE})
+endfunction()
+
+# luch_test(name source…): a GoogleTest program; each of its tests is a test of ctest.
+function(luch_test name)
+  cmake_parse_arguments(test "" "" "LINK" ${ARGN})
+  add_executable(test_${name} ${test_UNPARSED_ARGUMENTS})
+  target_link_libraries(test_${name} PRIVATE ${test_LINK} GTest::gmock_main)
+  target_compile_definitions(test_${name} PRIVATE LUCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(test_${name} DISCOVERY_TIMEOUT 60 WORKING_DIRECTORY ${CMAKE_SOURCE_DIR}
+                       PROPERTIES TIMEOUT 300)
+endfunction()
+
+# Every folder of techniques/ and homework/ with a CMakeLists.txt is a module; nothing else names it.
+function(add_modules parent)
+  file(GLOB lists CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${parent}/*/CMakeLists.txt)
+  foreach(list IN LISTS lists)
+    get_filename_component(dir ${list} DIRECTORY)
+    add_subdirectory(${dir})
+  endforeach()
+endfunction()
+
+function(luch_module kind name)
+  cmake_parse_arguments(module "" "" "TESTS" ${ARGN})
+  set(target ${kind}_${name})
+  add_library(${target} STATIC ${module_UNPARSED_ARGUMENTS})
+  target_link_libraries(${target} PUBLIC luch_technique)
+  set_property(GLOBAL APPEND PROPERTY LUCH_MODULES ${kind}::${name})
+  if(module_TESTS AND BUILD_TESTING)
+    luch_test(${target} ${module_TESTS} LINK ${target} luch_baseline luch_testing)
+  endif()
+endfunction()
+
+# add_technique(name source… TESTS source…): the one call of a technique's CMakeLists.txt.
+function(add_technique name)
+  luch_module(techniques ${name} ${ARGN})
+endfunction()
+
+# add_homework(name source… TESTS source…): the one call of a homework's CMakeLists.txt.
+function(add_homework name)
+  luch_module(homework ${name} ${ARGN})
+  target_link_libraries(homework_${name} PUBLIC techniques_${name})
+endfunction()
+
+# The list of all techniques, made from the folders present.
+function(generate_catalogue)
+  get_property(modules GLOBAL PROPERTY LUCH_MODULES)
+  list(APPEND modules baseline)
+  list(SORT modules)
+  set(declarations "")
+  set(rows "")
+  set(libraries "")
+  foreach(module IN LISTS modules)
+    string(APPEND declarations "namespace luch::${module} { TechniqueInfo describe(); }\n")
+    string(APPEND rows "        luch::${module}::describe(),\n")
+    string(REPLACE "::" "_" library ${module})
+    list(APPEND libraries ${library})
+  endforeach()
+  list(TRANSFORM libraries REPLACE "^baseline$" "luch_baseline")
+  configure_file(${CMAKE_SOURCE_DIR}/framework/cmake/catalogue.cpp.in
+                 ${CMAKE_BINARY_DIR}/catalogue.cpp @ONLY)
+  add_library(luch_catalogue STATIC ${CMAKE_BINARY_DIR}/catalogue.cpp)
+  target_link_libraries(luch_catalogue PUBLIC luch_technique PRIVATE ${libraries})
+endfunction()

@@ -1,0 +1,31 @@
+# Language, warnings and floating-point rules for every target.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+find_program(MOLD mold)
+if(MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()
+
+option(LUCH_WERROR "Warnings are errors" ON)
+set(LUCH_SANITIZE "" CACHE STRING "-fsanitize= list, for example address,undefined")
+
+# Contraction alone made the watertight triangle test leak; fast math is ruled out for good.
+add_compile_options(-Wall -Wextra -Wshadow -ffp-contract=off)
+if(LUCH_WERROR)
+  add_compile_options(-Werror)
+endif()
+if(LUCH_SANITIZE)
+  add_compile_options(-fsanitize=${LUCH_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${LUCH_SANITIZE})
+endif()
+include_directories(${CMAKE_SOURCE_DIR})

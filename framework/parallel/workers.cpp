@@ -1,0 +1,51 @@
+#include "framework/parallel/workers.h"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace luch {
+
+struct Workers::Arena {
+    explicit Arena(int threads)
+        : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
+          arena(threads) {}
+    tbb::global_control limit;  // lets a machine with fewer cores run more threads when asked to
+    tbb::task_arena arena;
+};
+
+Workers::Workers(int threads)
+    : count_(threads > 0 ? threads : tbb::info::default_concurrency()) {
+    arena_ = std::make_unique<Arena>(count_);
+}
+Workers::~Workers() = default;
+Workers::Workers(Workers&&) noexcept = default;
+
+void Workers::for_each(int n, const std::function<void(int, int)>& work,
+                       const CancelToken* cancel) const {
+    arena_->arena.execute([&] {
+        tbb::parallel_for(
+            0, n,
+            [&](int i) {
+                if (cancel != nullptr && cancel->cancelled()) return;
+                work(i, tbb::this_task_arena::current_thread_index());
+            },
+            tbb::simple_partitioner{});
+    });
+}
+
+void Workers::for_each_tile(Size size, int side, const std::function<void(Tile, int)>& work,
+                            const CancelToken* cancel) const {
+    const int across = (size.width + side - 1) / side;
+    const int down = (size.height + side - 1) / side;
+    for_each(
+        across * down,
+        [&](int i, int worker) {
+            const int x = i % across * side, y = i / across * side;
+            work({x, y, std::min(x + side, size.width), std::min(y + side, size.height)}, worker);
+        },
+        cancel);
+}
+
+}  // namespace luch

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "framework/math/colour.h"
+#include "framework/scene/texture.h"
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace luch {
+
+/// Index into Scene::materials.
+using MaterialId = std::uint32_t;
+
+/// Diffuse: colour, or a texture that replaces it.
+struct Lambert {
+    Rgb color{0.5f};
+    TextureId texture = no_texture;
+};
+
+/// Lambert plus specular · light colour · max(0, cos γ)^exponent.
+struct Phong {
+    Rgb color{0.5f};
+    TextureId texture = no_texture;
+    double specular = 1;
+    double exponent = 10;
+};
+
+/// A mirror; glossiness below 1 spreads the reflection over `samples` rays.
+struct Reflection {
+    Rgb multiplier{0.95f};
+    double glossiness = 1;
+    int samples = 50;
+};
+
+/// Materials over one another: c ← c·(1 − blend) + shader·blend, first layer first.
+struct Layered {
+    struct Layer {
+        MaterialId material;
+        Rgb blend;
+        TextureId texture = no_texture;  ///< replaces `blend`
+    };
+    std::vector<Layer> layers;
+};
+
+/// The same colour from everywhere, unlit.
+struct Const {
+    Rgb color{0.5f};
+};
+
+/// The visible face of a RectLight: radiance on the side that it shines to (local −y), black behind.
+struct Emission {
+    Rgb radiance{0};
+};
+
+using Material = std::variant<Lambert, Phong, Reflection, Layered, Const, Emission>;
+
+}  // namespace luch

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+namespace luch {
+
+/// What a run may spend. Counted in rays, which do not depend on the machine.
+struct Budget {
+    double rays_per_pixel = std::numeric_limits<double>::infinity();
+    /// The viewer's only: a technique may end a frame early when it has passed.
+    std::optional<double> deadline_ms;
+    /// False: every stage of the plan is run, needed or not.
+    bool skip = true;
+};
+
+}  // namespace luch

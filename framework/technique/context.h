@@ -1,0 +1,71 @@
+#pragma once
+
+#include "framework/parallel/workers.h"
+#include "framework/technique/budget.h"
+#include "framework/technique/plan.h"
+#include "framework/technique/todo.h"
+#include "framework/trace/tracer.h"
+
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace luch {
+
+/// What a technique may use while it makes a frame: plan, budget, threads, and tracers that count.
+class Context {
+ public:
+    Context(const Accelerator& accelerator, const Workers& workers, Plan plan, const Budget& budget,
+            const CancelToken* cancel = nullptr);
+
+    [[nodiscard]] const Plan& plan() const { return plan_; }
+    [[nodiscard]] const Budget& budget() const { return budget_; }
+    [[nodiscard]] int workers() const { return workers_->count(); }
+    [[nodiscard]] Tracer& tracer(int worker) { return tracers_[static_cast<std::size_t>(worker)]; }
+    [[nodiscard]] bool cancelled() const { return cancel_ != nullptr && cancel_->cancelled(); }
+
+    /// Tiles of 16 × 16 pixels unless told otherwise.
+    static constexpr int tile_side = 16;
+    void for_each_tile(Size size, const std::function<void(Tile, int worker)>& work,
+                       int side = tile_side) const;
+    void for_each(int n, const std::function<void(int i, int worker)>& work) const;
+
+    /// The counts of all tracers since the last call.
+    Counts take_counts();
+
+    /// A homework's task was not written; render goes on with the reference. Called by call_step().
+    void not_written(const std::string& task);
+    [[nodiscard]] const std::set<std::string>& unwritten() const { return unwritten_; }
+
+    /// The viewer steps through a technique with this; elsewhere it does nothing.
+    void pause(std::string_view stage) const {
+        if (on_pause) on_pause(stage);
+    }
+    std::function<void(std::string_view)> on_pause;
+
+ private:
+    const Workers* workers_;
+    Plan plan_;
+    Budget budget_;
+    const CancelToken* cancel_;
+    std::vector<Tracer> tracers_;
+    std::mutex mutex_;
+    std::set<std::string> unwritten_;
+};
+
+/// Calls a step of a technique's table. Where a homework left a hole, the task is recorded and the
+/// whole call is made again with the reference. Nothing else catches NotWritten.
+template <class Step, class... Arguments>
+decltype(auto) call_step(Context& context, Step* step, Step* reference, Arguments&&... arguments) {
+    try {
+        return step(arguments...);
+    } catch (const NotWritten& hole) {
+        context.not_written(hole.task());
+        return reference(arguments...);
+    }
+}
+
+}  // namespace luch

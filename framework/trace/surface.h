@@ -1,0 +1,38 @@
+#pragma once
+
+#include "framework/math/ray.h"
+#include "framework/scene/scene.h"
+
+namespace luch {
+
+/// What must be known of a surface point, so that the rest need not be computed.
+struct SurfaceNeeds {
+    bool uv = true;
+    bool bump = true;
+};
+
+/// A point of a surface, in world space.
+struct Surface {
+    Vec3d position;
+    Vec3d geometric_normal;  ///< of the true surface, unit length, turned against the ray
+    Vec3d normal;            ///< for shading: interpolated and bumped, unit length, turned against the ray
+    Vec2d uv{0};
+    NodeId node = no_node;
+    bool lit_side = false;   ///< seen from the side of local −y (for Emission)
+    /// A length in world units: at this distance along the geometric normal, on either side, the point
+    /// is certainly off the surface, whatever rounding did.
+    double error = 0;
+};
+
+/// The surface at a hit.
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, const SurfaceNeeds& needs = {});
+
+/// The ray that leaves a surface point in a direction; its origin is moved off the surface, to the side
+/// that the direction points to.
+Ray leaving(const Surface& surface, const Vec3d& direction);
+
+/// The ray from a light's point to a surface point (just above it, seen from the light): 0 < t < 1.
+/// A shadow ray always runs this way.
+Ray shadow_ray(const Surface& surface, const Vec3d& light_point);
+
+}  // namespace luch

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "framework/accel/accelerator.h"
+#include "framework/trace/counts.h"
+
+#include <span>
+
+namespace luch {
+
+/// The only way to shoot a ray, and it counts. One for each worker; not shared between threads.
+class Tracer {
+ public:
+    explicit Tracer(const Accelerator& accelerator) : accelerator_(&accelerator) {}
+
+    /// The nearest hit of every ray.
+    void closest(RayKind kind, std::span<const Ray> rays, std::span<Hit> hits);
+    [[nodiscard]] Hit closest(RayKind kind, const Ray& ray);
+
+    /// 1 where anything lies between t_min and t_max, else 0.
+    void occluded(RayKind kind, std::span<const Ray> rays, std::span<std::uint8_t> blocked);
+    [[nodiscard]] bool occluded(RayKind kind, const Ray& ray);
+
+    /// Rays against one given node each, without a search: object tests, not rays. A ray whose node is
+    /// no_node misses and costs nothing.
+    void test(std::span<const NodeId> nodes, std::span<const Ray> rays, std::span<Hit> hits);
+
+    [[nodiscard]] Counts& counts() { return counts_; }
+
+ private:
+    const Accelerator* accelerator_;
+    Counts counts_;
+};
+
+}  // namespace luch

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "framework/math/rng.h"
+#include "framework/scene/scene.h"
+#include "framework/trace/surface.h"
+#include "framework/trace/tracer.h"
+
+namespace luch {
+
+/// What the classic tracer needs for a scene. Leaving out what a scene does not need never changes a
+/// bit of the picture; with all true nothing is left out.
+struct WhittedNeeds {
+    SurfaceNeeds surface;
+    bool shadow_rays = true;  ///< false: no light could be blocked, none is asked for
+    bool dark_lights = true;  ///< true: shadow rays are shot even where n·l ≤ 0 or the light is black
+};
+
+/// The classic recursive ray tracer (Whitted, "An Improved Illumination Model for Shaded Display",
+/// 1980): closest hit, direct light with shadow rays, mirrors, to the scene's depth limit.
+class Whitted {
+ public:
+    Whitted(const Scene& scene, const WhittedNeeds& needs, Tracer& tracer)
+        : scene_(&scene), needs_(needs), tracer_(&tracer) {}
+
+    /// Light that comes back along a ray.
+    [[nodiscard]] Rgb radiance(RayKind kind, const Ray& ray, Key key, int depth = 0) const;
+
+    /// The same, when the hit is known already (from a tile of primary rays, an item buffer…).
+    [[nodiscard]] Rgb shade(const Ray& ray, const Hit& hit, Key key, int depth = 0) const;
+
+ private:
+    friend struct MaterialShader;
+    const Scene* scene_;
+    WhittedNeeds needs_;
+    Tracer* tracer_;
+};
+
+}  // namespace luch
