@@ -12,3 +12,8 @@ get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIR
 list(FILTER oiio_includes EXCLUDE REGEX "opencv")
 set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES
                                                           "${oiio_includes}")
+
+if(BUILD_TESTING)
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+endif()
