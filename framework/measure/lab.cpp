@@ -99,7 +99,7 @@ std::filesystem::path SceneLab::written(const std::string& name, ImageView<const
 void SceneLab::finish_point(LabPoint& point, const std::string& name, const Outcome& outcome,
                             const Truth& truth) const {
     point.prepare_ms = outcome.prepare_ms;
-    point.frame_ms = outcome.median_ms();
+    point.frame_ms = median(outcome.frame_ms);
     point.frames = static_cast<int>(outcome.frame_ms.size());
     point.counts = outcome.counts;
     point.bytes = outcome.bytes;

@@ -116,7 +116,7 @@ const Metric& find_metric(std::string_view name) {
         if (metric.name == name) return metric;
         names.push_back(metric.name);
     }
-    throw Error(fmt::format("unknown metric '{}': {}", name, did_you_mean(name, names)));
+    throw Error(fmt::format("there is no metric \"{}\"; {}", name, did_you_mean(name, names)));
 }
 
 std::string shown(const Metric& metric, const Errors& errors) {
@@ -135,21 +135,14 @@ Image<Rgb> displayed(ImageView<const Rgb> linear) {
     return encoded;
 }
 
-ComparablePair comparable(const Picture& reference, const Picture& image, bool want_linear) {
-    const bool both_linear =
-        reference.encoding == Encoding::linear && image.encoding == Encoding::linear;
+ComparablePair comparable(const Picture& reference, const Picture& image,
+                          std::optional<Encoding> wanted) {
     const bool mixed = reference.encoding != image.encoding;
     ComparablePair pair;
-    if (want_linear) {
-        pair.encoding = Encoding::linear;
-        pair.why = "in linear light, as asked";
-    } else if (both_linear) {
-        pair.encoding = Encoding::linear;
-        pair.why = "in linear light: both are linear";
-    } else {
-        pair.why = mixed ? "as displayed (sRGB, clamped to 0..1): one is linear, the other is sRGB"
-                         : "as displayed (sRGB)";
-    }
+    pair.encoding = wanted.value_or(mixed ? Encoding::srgb : image.encoding);
+    pair.why = pair.encoding == Encoding::linear ? "in linear light"
+                                                 : "as displayed (sRGB, clamped to 0..1)";
+    if (mixed) pair.why += "; one of them is linear, the other sRGB";
     pair.reference = in_encoding(reference, pair.encoding);
     pair.image = in_encoding(image, pair.encoding);
     return pair;

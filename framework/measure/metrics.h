@@ -6,6 +6,7 @@
 #include "framework/technique/outcome.h"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,10 +58,11 @@ Image<Rgb> displayed(ImageView<const Rgb> linear);
 struct ComparablePair {
     Image<Rgb> reference, image;
     Encoding encoding = Encoding::srgb;
-    std::string why;  ///< "as displayed (sRGB), since …"
+    std::string why;  ///< "as displayed (sRGB, clamped to 0..1): …"
 };
 
-/// Linear when both are linear or `want_linear` is set, else as displayed.
-ComparablePair comparable(const Picture& reference, const Picture& image, bool want_linear);
+/// As wanted; without a wish linear when both are linear, else as displayed.
+ComparablePair comparable(const Picture& reference, const Picture& image,
+                          std::optional<Encoding> wanted = {});
 
 }  // namespace luch

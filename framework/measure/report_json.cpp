@@ -74,8 +74,7 @@ Json rays_json(const Counts& counts) {
     return json;
 }
 
-Json errors_json(const Errors& errors) {
-    Json json = Json::object();
+Json errors_json(const Errors& errors, Json json) {
     for (const Metric& metric : metrics()) json.set(metric.name, errors.*metric.value);
     json.set("differing_pixels", errors.differing).set("non_finite", errors.non_finite.count);
     if (errors.max_at.x >= 0) {

@@ -10,9 +10,9 @@ namespace luch {
 /// {primary, shadow, reflection, refraction, glossy, gi}.
 Json rays_json(const Counts& counts);
 
-/// Every metric by its name, then differing_pixels, non_finite and, where there is one, the place.
-/// An infinite PSNR is null.
-Json errors_json(const Errors& errors);
+/// Adds every metric by its name, then differing_pixels, non_finite and, where there is one, the
+/// place of the largest error. An infinite PSNR is null.
+Json errors_json(const Errors& errors, Json object = Json::object());
 
 /// [{stage, exact, kind, why}] of what was left out.
 Json left_out_json(const Plan& plan);
