@@ -45,7 +45,7 @@ std::string warnings(const LabSeries& series) {
                                 bad.first_y);
         }
         for (const std::string& task : point.unwritten) {
-            text += fmt::format("{} {}: {} is not written, the reference stood in\n",
+            text += fmt::format("{} {}: {} is still to be written; the reference stood in\n",
                                 series.technique, series.setting(point), task);
         }
     }
