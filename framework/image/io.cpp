@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <optional>
+#include <utility>
 
 namespace luch {
 namespace {
