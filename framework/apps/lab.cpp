@@ -133,7 +133,10 @@ class Lab final : public Verb {
     /// What makes this report again.
     [[nodiscard]] std::string command() const {
         std::string text = "luch lab";
-        const auto add = [&](const std::string& word) { text += " " + shell_word(word); };
+        const auto add = [&](const std::string& word) {
+            text += ' ';
+            text += shell_word(word);
+        };
         const auto add_option = [&](const std::string& option, const std::string& value) {
             if (value.empty()) return;
             add(option);

@@ -17,9 +17,11 @@ std::string three_digits(double value) {
 }
 
 std::string grouped(std::uint64_t value) {
-    std::string text = std::to_string(value);
-    for (int place = static_cast<int>(text.size()) - 3; place > 0; place -= 3) {
-        text.insert(static_cast<std::size_t>(place), ",");
+    const std::string digits = std::to_string(value);
+    std::string text;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) text += ',';
+        text += digits[i];
     }
     return text;
 }

@@ -25,7 +25,10 @@ std::string number(double value) {
 
 std::string joined(const std::vector<std::string>& cells) {
     std::string line;
-    for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + cell(cells[i]);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (i > 0) line += ',';
+        line += cell(cells[i]);
+    }
     return line + "\n";
 }
 

@@ -10,6 +10,10 @@
 namespace luch {
 namespace {
 
+PlotPoint at(double x, double y) {
+    return {x, y, "", "", false};
+}
+
 TEST(LogAxis, PutsEqualFactorsAtEqualDistances) {
     const LogAxis axis({1, 10, 1000}, 0, 300);
     const double decade = axis.at(10) - axis.at(1);
@@ -44,15 +48,15 @@ TEST(Plot, DrawsAPointForEachThatIsANumberAndNoneForOthers) {
 
 TEST(Plot, CrossesOutAPointThatIsNotToBeTrusted) {
     LogPlot plot;
-    plot.series = {
-        {.name = "a", .points = {{.x = 1, .y = 0.1, .flagged = true}, {.x = 2, .y = 1}}}};
+    plot.series = {{"a", {at(1, 0.1), at(2, 1)}, false}};
+    plot.series[0].points[0].flagged = true;
     EXPECT_EQ(testing::occurrences(svg_of(plot), "class=\"flag\""), 1u);
 }
 
 TEST(Plot, EscapesNames) {
     LogPlot plot;
     plot.title = "<b>&";
-    plot.series = {{.name = "<i>", .points = {{.x = 1, .y = 1, .label = "<u>", .detail = "<s>"}}}};
+    plot.series = {{"<i>", {{1, 1, "<u>", "<s>", false}}, false}};
     plot.vertical = PlotLine{2, "<q>"};
     const std::string svg = svg_of(plot);
     for (const char* tag : {"<b>", "<i>", "<u>", "<s>", "<q>"}) {

@@ -27,24 +27,25 @@ LabReport sample_report(const std::string& name) {
     scene.scene = name;
     scene.size = {100, 50};
     scene.baseline = point(0, 40, 0, 5000);
-    LabSeries swept{
-        .technique = "quick",
-        .title = "a quick one",
-        .parameter = "lod",
-        .truth = "baseline, 1 sample a pixel",
-        .points = {point(1, 5, 0.1, 1000), point(2, 10, 0.01, 2000), point(4, 20, 0, 2500)}};
-    swept.points[0].plan.stages = {
-        {.name = "bump", .needed = false, .kind = Stage::exact, .why = "no bump maps"}};
-    swept.points[2].plan = swept.points[0].plan;
-    LabSeries idle{.technique = "idle", .truth = "baseline, 1 sample a pixel", .points = {{}}};
+    LabSeries swept{"quick",
+                    "a quick one",
+                    "lod",
+                    "baseline, 1 sample a pixel",
+                    {point(1, 5, 0.1, 1000), point(2, 10, 0.01, 2000), point(4, 20, 0, 2500)},
+                    false};
+    const Stage bump{
+        .name = "bump", .needed = false, .kind = Stage::exact, .why = "no bump maps", .bound = 0};
+    for (LabPoint& point : swept.points) point.plan.stages = {bump};
+    LabSeries idle{"idle", "an idle one", "", "baseline, 1 sample a pixel", {{}}, false};
     idle.points[0].not_run = "does not apply: no lights, none";
-    LabSeries samples{.technique = "baseline",
-                      .parameter = "spp",
-                      .truth = "baseline, 64 samples a pixel, seed 1",
-                      .points = {point(1, 40, 0.05, 5000), point(4, 160, 0.02, 20000)},
-                      .by_samples = true};
+    const LabSeries samples{"baseline",
+                            "the classic ray tracer",
+                            "spp",
+                            "baseline, 64 samples a pixel, seed 1",
+                            {point(1, 40, 0.05, 5000), point(4, 160, 0.02, 20000)},
+                            true};
     scene.series = {swept, idle, samples};
-    return {.command = "luch lab x.scene", .machine = {}, .scenes = {scene}};
+    return {"luch lab x.scene", {}, {scene}};
 }
 
 std::size_t occurrences(const std::string& text, const std::string& piece) {
