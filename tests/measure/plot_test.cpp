@@ -39,10 +39,7 @@ TEST(LogAxis, LabelsPowersOfTenAndOnAShortAxisAlsoTwosAndFives) {
 
 TEST(Plot, DrawsAPointForEachThatIsANumberAndNoneForOthers) {
     LogPlot plot;
-    plot.series = {
-        {.name = "a",
-         .points = {
-             {.x = 1, .y = 0.1}, {.x = 2, .y = 0}, {.x = 3, .y = std::nan("")}, {.x = 0, .y = 1}}}};
+    plot.series = {{"a", {at(1, 0.1), at(2, 0), at(3, std::nan("")), at(0, 1)}, false}};
     EXPECT_EQ(testing::occurrences(svg_of(plot), "class=\"point\""), 2u);
 }
 
