@@ -176,7 +176,7 @@ void Compare::report_costs(const Side& a, const Side& b) const {
         const Outcome& outcome = *side->outcome;
         const double frame_ms = median(outcome.frame_ms);
         std::vector<std::string> row{
-            side->name, three_digits(outcome.prepare_ms), three_digits(frame_ms),
+            side->name, milliseconds(outcome.prepare_ms), milliseconds(frame_ms),
             first > 0 ? three_digits(first / frame_ms) : "—", grouped(outcome.counts.all_rays())};
         for (const std::uint64_t rays : outcome.counts.rays) row.push_back(grouped(rays));
         row.push_back(grouped(outcome.counts.object_tests));

@@ -13,7 +13,7 @@ namespace luch {
 namespace {
 
 std::string samples(int spp) {
-    return fmt::format("{} sample{} a pixel", spp, spp == 1 ? "" : "s");
+    return counted(static_cast<std::uint64_t>(spp), "sample") + " a pixel";
 }
 
 /// A file name without folders or blanks: "homework/vista lod=4" → "homework-vista-lod=4".

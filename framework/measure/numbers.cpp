@@ -16,6 +16,12 @@ std::string three_digits(double value) {
     return fmt::format("{:.{}f}", value, decimals);
 }
 
+std::string milliseconds(double ms) {
+    if (!std::isfinite(ms)) return "—";
+    const int decimals = ms >= 100 ? 0 : ms >= 10 ? 1 : 2;
+    return fmt::format("{:.{}f}", ms, decimals);
+}
+
 std::string grouped(std::uint64_t value) {
     const std::string digits = std::to_string(value);
     std::string text;
@@ -24,6 +30,10 @@ std::string grouped(std::uint64_t value) {
         text += digits[i];
     }
     return text;
+}
+
+std::string counted(std::uint64_t count, const std::string& what) {
+    return grouped(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 std::string percent(double part, double whole) {

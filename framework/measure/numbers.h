@@ -10,8 +10,14 @@ namespace luch {
 /// Three significant digits, without an exponent from 0.001 upwards: "0.0123", "12.3", "1234".
 std::string three_digits(double value);
 
+/// Milliseconds, with no more digits than a clock is good for: "0.05", "12.3", "1234".
+std::string milliseconds(double ms);
+
 /// "1,234,567".
 std::string grouped(std::uint64_t value);
+
+/// "1 light", "2 lights".
+std::string counted(std::uint64_t count, const std::string& what);
 
 /// Part of a whole in percent: "42.1 %"; "—" of nothing.
 std::string percent(double part, double whole);

@@ -149,6 +149,7 @@ void Drawing::vertical_line() {
     put(R"(<line class="baseline" x1="{:.1f}" y1="{}" x2="{:.1f}" y2="{}"/>)", x, top, x, axis_y);
     put(R"(<text class="note{}" x="{:.1f}" y="{}">{}</text>)", to_left ? " end" : "", at, top + 20,
         escaped(plot_->vertical->name));
+    taken_.push_back({x - 3, top, x + 3, axis_y});
     taken_.push_back({to_left ? at - wide : at, top + 4, to_left ? at : at + wide, top + 26});
 }
 

@@ -44,7 +44,7 @@ std::string glance(const LabReport& report) {
     for (std::size_t i = 0; i < report.scenes.size(); ++i) {
         const SceneReport& scene = report.scenes[i];
         html += fmt::format("<tr><td><a href=\"#scene-{}\">{}</a></td><td>{}</td>", i + 1,
-                            escaped(scene.scene), three_digits(scene.baseline.frame_ms));
+                            escaped(scene.scene), milliseconds(scene.baseline.frame_ms));
         for (const std::string& name : techniques) {
             html += "<td>" + in_short(scene, name) + "</td>";
         }
@@ -56,15 +56,16 @@ std::string glance(const LabReport& report) {
 std::string section(const SceneReport& scene, std::size_t number) {
     const std::string id = fmt::format("scene-{}", number);
     std::string html = fmt::format(
-        "<section id=\"{}\">\n<h2>{}<small>{} × {} pixels, {} nodes, {} triangles, {} "
-        "lights</small></h2>\n<ul class=\"verdicts\">\n",
-        id, escaped(scene.scene), scene.size.width, scene.size.height, grouped(scene.nodes),
-        grouped(scene.triangles), grouped(scene.lights));
+        "<section id=\"{}\">\n<h2>{}<small>{} × {} pixels, {}, {}, {}</small></h2>\n<ul "
+        "class=\"verdicts\">\n",
+        id, escaped(scene.scene), scene.size.width, scene.size.height, counted(scene.nodes, "node"),
+        counted(scene.triangles, "triangle"), counted(scene.lights, "light"));
     for (const std::string& sentence : verdicts(scene)) {
         html += "<li>" + escaped(sentence) + "</li>\n";
     }
     return html + "</ul>\n<figure class=\"plot\">" + report_svg(scene) + "</figure>\n" +
-           html_table(scene) + html_pictures(scene, id) + html_left_out(scene) + "</section>\n";
+           html_results(scene) + html_costs(scene) + html_pictures(scene, id) +
+           html_left_out(scene) + "</section>\n";
 }
 
 std::string facts(const LabReport& report) {

@@ -20,17 +20,9 @@ std::string badge(std::string_view kind, const std::string& text) {
     return fmt::format("<span class=\"badge {}\">{}</span>", kind, escaped(text));
 }
 
-std::string table_head(const std::vector<RayKind>& kinds) {
-    std::string head =
-        "<tr><th class=\"text\">technique</th><th class=\"text\">setting</th><th>prep<br>ms</th>"
-        "<th>frame<br>ms</th><th>× faster</th><th>rays</th><th>of the<br>baseline’s</th>";
-    for (const RayKind kind : kinds) head += fmt::format("<th>{}</th>", name_of(kind));
-    head += "<th>object<br>tests</th><th>fall-<br>backs</th>";
-    for (const Metric& metric : metrics()) {
-        head +=
-            fmt::format("<th title=\"{}\">{}</th>", escaped(metric.meaning), escaped(metric.label));
-    }
-    return head + "<th></th></tr>\n";
+std::string rays_part(const SceneReport& scene, const LabPoint& point) {
+    return percent(static_cast<double>(point.counts.all_rays()),
+                   static_cast<double>(scene.baseline.counts.all_rays()));
 }
 
 /// What must not be overlooked about a row.
@@ -49,24 +41,46 @@ std::string remark(const LabPoint& point) {
     return text;
 }
 
-std::string table_row(const SceneReport& scene, const std::vector<RayKind>& kinds,
-                      std::string_view row_kind, const std::string& technique,
-                      const std::string& setting, const LabPoint& point) {
-    std::string row =
-        fmt::format("<tr class=\"{}\">", row_kind) + td(technique) + td(setting, "text");
-    if (!point.ran()) {
-        return row + fmt::format("<td class=\"why\" colspan=\"{}\">{}</td></tr>\n",
-                                 8 + kinds.size() + metrics().size(), escaped(point.not_run));
+/// A row of either table: who, with which setting, and what came out.
+struct Row {
+    std::string technique, setting;
+    const LabPoint* point;
+    std::string_view kind;  ///< of the <tr>
+};
+
+std::vector<Row> rows_of(const SceneReport& scene) {
+    std::vector<Row> rows{{"baseline", "pixel centres", &scene.baseline, "truth"}};
+    for (const LabSeries& series : scene.series) {
+        for (const LabPoint& point : series.points) {
+            const bool first = &point == &series.points.front();
+            rows.push_back({series.technique, series.setting(point), &point, first ? "group" : ""});
+        }
     }
-    const auto rays = static_cast<double>(point.counts.all_rays());
-    row += td(three_digits(point.prepare_ms)) + td(three_digits(point.frame_ms)) +
-           td(three_digits(scene.speedup(point)), "lead-number") +
-           td(grouped(point.counts.all_rays())) +
-           td(percent(rays, static_cast<double>(scene.baseline.counts.all_rays())));
-    for (const RayKind kind : kinds) row += td(grouped(point.counts.of(kind)));
-    row += td(grouped(point.counts.object_tests)) + td(grouped(point.counts.fallbacks));
-    for (const Metric& metric : metrics()) row += td(shown(metric, point.errors));
-    return row + "<td class=\"text\">" + remark(point) + "</td></tr>\n";
+    return rows;
+}
+
+std::string row_start(const Row& row) {
+    return fmt::format("<tr class=\"{}\">", row.kind) + td(row.technique) + td(row.setting, "text");
+}
+
+std::string result_cells(const SceneReport& scene, const LabPoint& point) {
+    if (!point.ran()) {
+        return fmt::format("<td class=\"why\" colspan=\"{}\">{}</td>", 5 + metrics().size(),
+                           escaped(point.not_run));
+    }
+    std::string cells = td(milliseconds(point.prepare_ms)) + td(milliseconds(point.frame_ms)) +
+                        td(three_digits(scene.speedup(point)), "lead-number") +
+                        td(rays_part(scene, point));
+    for (const Metric& metric : metrics()) cells += td(shown(metric, point.errors));
+    return cells + "<td class=\"text\">" + remark(point) + "</td>";
+}
+
+std::string cost_cells(const std::vector<RayKind>& kinds, const SceneReport& scene,
+                       const LabPoint& point) {
+    std::string cells = td(grouped(point.counts.all_rays())) + td(rays_part(scene, point));
+    for (const RayKind kind : kinds) cells += td(grouped(point.counts.of(kind)));
+    return cells + td(grouped(point.counts.object_tests)) + td(grouped(point.counts.shades)) +
+           td(grouped(point.counts.fallbacks));
 }
 
 /// A picture with a caption. Touched, it fills the window; touched again, it returns.
@@ -123,17 +137,18 @@ std::string left_out_rows(const std::string& technique, const Plan& plan) {
 
 }  // namespace
 
-std::string html_table(const SceneReport& scene) {
-    const std::vector<RayKind> kinds = kinds_used(scene);
-    std::string html = "<div class=\"wide\"><table>\n" + table_head(kinds);
-    html += table_row(scene, kinds, "truth", "baseline", "pixel centres", scene.baseline);
-    for (const LabSeries& series : scene.series) {
-        std::string_view row_kind = "group";
-        for (const LabPoint& point : series.points) {
-            html +=
-                table_row(scene, kinds, row_kind, series.technique, series.setting(point), point);
-            row_kind = "";
-        }
+std::string html_results(const SceneReport& scene) {
+    std::string html =
+        "<h3>Time and error</h3>\n<div class=\"wide\"><table>\n<tr><th>technique</th>"
+        "<th class=\"text\">setting</th><th>preparation, ms</th><th>frame, ms</th><th>× faster</th>"
+        "<th>rays</th>";
+    for (const Metric& metric : metrics()) {
+        html +=
+            fmt::format("<th title=\"{}\">{}</th>", escaped(metric.meaning), escaped(metric.label));
+    }
+    html += "<th></th></tr>\n";
+    for (const Row& row : rows_of(scene)) {
+        html += row_start(row) + result_cells(scene, *row.point) + "</tr>\n";
     }
     html += "</table></div>\n<p class=\"soft\">Errors as displayed (sRGB, white = 1). ";
     for (const LabSeries& series : scene.series) {
@@ -142,6 +157,21 @@ std::string html_table(const SceneReport& scene) {
                             escaped(series.truth));
     }
     return html + "</p>\n";
+}
+
+std::string html_costs(const SceneReport& scene) {
+    const std::vector<RayKind> kinds = kinds_used(scene);
+    std::string html =
+        "<h3>Rays and tests of a frame</h3>\n<div class=\"wide\"><table>\n<tr><th>technique</th>"
+        "<th class=\"text\">setting</th><th>rays</th><th>of the baseline’s</th>";
+    for (const RayKind kind : kinds) html += fmt::format("<th>{}</th>", name_of(kind));
+    html += "<th>object tests</th><th>shades</th><th>fallbacks</th></tr>\n";
+    for (const Row& row : rows_of(scene)) {
+        if (row.point->ran()) {
+            html += row_start(row) + cost_cells(kinds, scene, *row.point) + "</tr>\n";
+        }
+    }
+    return html + "</table></div>\n";
 }
 
 std::string html_pictures(const SceneReport& scene, std::string_view prefix) {

@@ -12,8 +12,11 @@ namespace luch {
 /// The page's style sheet: for a projector, for paper, in light and in dark.
 std::string page_style();
 
-/// Every row that the scene has, in full.
-std::string html_table(const SceneReport& scene);
+/// Every row: time and error.
+std::string html_results(const SceneReport& scene);
+
+/// Every row that ran: rays by kind and the other counts.
+std::string html_costs(const SceneReport& scene);
 
 /// The truth, each technique at its best and its worst setting, and where it differs. `prefix`
 /// keeps the anchors of several scenes apart.

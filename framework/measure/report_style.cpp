@@ -46,10 +46,10 @@ image-rendering:pixelated}.pictures figure:target figcaption,.pictures figure:ta
 .legend{max-width:420px;margin:20px 0 0}.legend i{display:block;height:16px;border-radius:4px}
 .legend div{position:relative;height:24px;font-size:14px;color:var(--soft)}
 .legend span{position:absolute;transform:translateX(-50%)}
-.facts{display:grid;grid-template-columns:max-content 1fr;gap:4px 20px;margin:0}
+section>h2+.facts{margin-top:16px}.facts{display:grid;grid-template-columns:max-content 1fr;gap:4px 20px;margin:0}
 .facts dt{color:var(--soft)}.facts dd{margin:0}
 code{font:15px/1.5 ui-monospace,"DejaVu Sans Mono",monospace;background:var(--paper);padding:2px 8px;
-border-radius:6px;overflow-wrap:anywhere}section.glance code{background:none}
+border-radius:6px;overflow-wrap:anywhere}.glance .wide{margin-top:16px}
 footer{padding-bottom:56px}
 @media print{body{background:#fff;font-size:12px}section{break-inside:avoid-page;border:0;padding:0}}
 </style>

@@ -12,7 +12,7 @@ PlotPoint plot_point(const LabSeries& series, const LabPoint& point) {
     return {point.frame_ms, point.errors.rmse,
             series.parameter.empty() ? series.technique : setting,
             fmt::format("{} {}: RMSE {}, {} ms", series.technique, setting,
-                        three_digits(point.errors.rmse), three_digits(point.frame_ms)),
+                        three_digits(point.errors.rmse), milliseconds(point.frame_ms)),
             point.errors.non_finite.count > 0};
 }
 
@@ -26,7 +26,7 @@ std::string report_svg(const SceneReport& scene) {
     plot.y_label = "RMSE, as displayed (white = 1)";
     plot.floor_label = "0: exact";
     plot.vertical = PlotLine{scene.baseline.frame_ms,
-                             fmt::format("baseline, {} ms", three_digits(scene.baseline.frame_ms))};
+                             fmt::format("baseline, {} ms", milliseconds(scene.baseline.frame_ms))};
     for (const LabSeries& series : scene.series) {
         PlotSeries curve;
         curve.name = series.by_samples

@@ -22,8 +22,8 @@ std::vector<std::string> row(const SceneReport& scene, const std::vector<RayKind
     if (!point.ran()) return {technique, setting, point.not_run};
     std::vector<std::string> cells{technique,
                                    setting,
-                                   three_digits(point.prepare_ms),
-                                   three_digits(point.frame_ms),
+                                   milliseconds(point.prepare_ms),
+                                   milliseconds(point.frame_ms),
                                    three_digits(scene.speedup(point)),
                                    grouped(point.counts.all_rays()),
                                    percent(static_cast<double>(point.counts.all_rays()),

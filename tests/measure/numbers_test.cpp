@@ -19,6 +19,18 @@ TEST(Numbers, HaveThreeDigitsAndNoNeedlessExponent) {
     EXPECT_EQ(three_digits(std::nan("")), "—");
 }
 
+TEST(Numbers, OfMillisecondsHaveNoMoreDigitsThanAClockIsGoodFor) {
+    EXPECT_EQ(milliseconds(0.0087), "0.01");
+    EXPECT_EQ(milliseconds(12.345), "12.3");
+    EXPECT_EQ(milliseconds(1234.5), "1234");
+}
+
+TEST(Numbers, CountOneThingAndManyThings) {
+    EXPECT_EQ(counted(1, "light"), "1 light");
+    EXPECT_EQ(counted(0, "light"), "0 lights");
+    EXPECT_EQ(counted(2000, "node"), "2,000 nodes");
+}
+
 TEST(Numbers, AreGroupedByThousands) {
     EXPECT_EQ(grouped(999), "999");
     EXPECT_EQ(grouped(1000), "1,000");
