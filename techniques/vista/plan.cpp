@@ -1,5 +1,7 @@
 #include "techniques/vista/plan.h"
 
+#include "framework/baseline/classic.h"
+
 #include <fmt/format.h>
 
 namespace luch::techniques::vista {
@@ -106,9 +108,12 @@ Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
                 {}};
     }
     const Screen screen(shot.camera, shot.size);
-    return {true,
-            "one object test a covered pixel instead of a search",
-            {lod_stage(scene, params), clip_stage(scene, screen), sort_stage(scene, params)}};
+    Plan plan{true, "one object test a covered pixel instead of a search", {}};
+    plan.stages = classic_stages(scene, shot);
+    plan.stages.push_back(lod_stage(scene, params));
+    plan.stages.push_back(clip_stage(scene, screen));
+    plan.stages.push_back(sort_stage(scene, params));
+    return plan;
 }
 
 }  // namespace luch::techniques::vista

@@ -1,7 +1,7 @@
 #include "techniques/vista/vista.h"
 
+#include "framework/baseline/classic.h"
 #include "framework/technique/catalogue.h"
-#include "framework/trace/whitted.h"
 #include "techniques/vista/buffer.h"
 #include "techniques/vista/plan.h"
 
@@ -38,11 +38,17 @@ class Vista : public Technique {
         auto& fell_back = frame.plane<std::uint8_t>("fallbacks", PlaneKind::mask);
         buffer_.paint(screen, params_, context, ids.view(), depth.view());
         if (hits_.size() != shot.size) hits_ = Image<Hit>(shot.size);
+        const WhittedNeeds needs = whitted_needs(context.plan());
+        const auto colour = frame.colour.view();
         context.for_each_tile(shot.size, [&](Tile tile, int worker) {
             Tracer& tracer = context.tracer(worker);
             tracer.counts().fallbacks += buffer_.look_up(screen, tile, worker, context, ids.view(),
                                                          hits_.view(), fell_back.view());
+            shade_tile(scene, shot, tile, needs, tracer, hits_.view(), colour);
         });
+        if (context.plan().needed("anti-aliasing") && shot.spp == 0) {
+            antialias(scene, shot, needs, context, colour);
+        }
     }
 
  private:
