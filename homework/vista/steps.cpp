@@ -75,11 +75,11 @@ std::unique_ptr<Technique> create() {
 }  // namespace
 
 TechniqueInfo describe() {
-    return {"homework/vista",
-            "Item buffer: yours",
-            "Vista buffer",
-            create,
-            {"segments", segments_sweep}};
+    return {.name = "homework/vista",
+            .title = "item buffer: yours",
+            .topic = "3. Vista buffer",
+            .create = create,
+            .sweep = {"segments", segments_sweep}};
 }
 
 }  // namespace luch::homework::vista

@@ -77,11 +77,11 @@ std::unique_ptr<Technique> make(const Steps& steps) {
 const std::span<const double> segments_sweep{segment_counts};
 
 TechniqueInfo describe() {
-    return {"vista",
-            "Item buffer: rasterised node ids instead of a search for each primary ray",
-            "Vista buffer",
-            [] { return make(reference()); },
-            {"segments", segments_sweep}};
+    return {.name = "vista",
+            .title = "item buffer: node ids, not a search",
+            .topic = "3. Vista buffer",
+            .create = [] { return make(reference()); },
+            .sweep = {"segments", segments_sweep}};
 }
 
 }  // namespace luch::techniques::vista
