@@ -150,6 +150,27 @@ TEST(VistaRasterise, CoversAHugeTriangleAndItsNeighbourExactlyOnce) {
     expect_covered_once({triangle(b, d, a), triangle(b, c, d)}, size);
 }
 
+/// Beyond the grid edge functions are rounded; neighbours must still agree about their common edge.
+/// The spokes run through many pixels' centres, but for the rounding of their far ends.
+TEST(VistaRasterise, CoversAHugeFanExactlyOnce) {
+    const Size size{48, 48};
+    const Vec2d hub{23.5, 24.5};
+    const std::array<Vec2d, 9> directions{
+        {{3, 1}, {2, 3}, {-1, 2}, {-3, 2}, {-7, 1}, {-5, -2}, {-1, -3}, {1, -7}, {5, -3}}};
+    for (int i = 0; i < 100; ++i) {
+        std::vector<ScreenTri> fan;
+        const auto rim = [&](std::size_t k) {
+            k %= directions.size();
+            return hub + 1e7 * (0.1 + Key(i).uniform(k)) * directions[k];
+        };
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            fan.push_back(triangle(hub, rim(k), rim(k + 1)));
+        }
+        expect_covered_once(fan, size);
+        if (HasFatalFailure()) FAIL() << "fan " << i;
+    }
+}
+
 TEST(VistaRasterise, PaintsNothingForATriangleWithoutArea) {
     const Size size{8, 8};
     for (const ScreenTri& flat : {ScreenTri{}, triangle({1, 1}, {5, 5}, {3, 3}),

@@ -140,6 +140,46 @@ TEST(VistaClip, DropsWhatIsBesideOrBehind) {
     EXPECT_TRUE(inside.empty());
 }
 
+TEST(VistaClip, CutsACommonEdgeInOnePoint) {
+    const Screen screen(Camera{}, {64, 48});
+    for (int i = 0; i < 1000; ++i) {
+        const Key key(i);
+        const Corner in{0.5 * random_vector(key.branch(0)) + Vec3d(0, 0, 3)};
+        const Corner out{0.5 * random_vector(key.branch(1)) + Vec3d(9, 0, 3)};
+        const Corner left{0.5 * random_vector(key.branch(2)) + Vec3d(0, 0.9, 3)};
+        const Corner right{0.5 * random_vector(key.branch(3)) + Vec3d(0, -0.9, 3)};
+        std::vector<Tri> of_left, of_right;
+        reference().clip(std::vector{Tri{{in, out, left}, 0}}, frustum_of(screen), of_left);
+        reference().clip(std::vector{Tri{{out, in, right}, 0}}, frustum_of(screen), of_right);
+        std::vector<Corner> common;
+        for (const Tri& a : of_left) {
+            for (const Corner& corner : a.corners) {
+                const bool known = std::find(common.begin(), common.end(), corner) != common.end();
+                for (const Tri& b : of_right) {
+                    if (known ||
+                        std::find(b.corners.begin(), b.corners.end(), corner) == b.corners.end())
+                        continue;
+                    common.push_back(corner);
+                    break;
+                }
+            }
+        }
+        ASSERT_EQ(common.size(), 2u) << "edge " << i << ": its inner end, and the point of the cut";
+    }
+}
+
+TEST(VistaClip, CutsPointsAtInfinityInTheirPlane) {
+    const Screen screen(Camera{}, {64, 48});
+    // The plane y = −2, a quarter of it, seen from above its origin.
+    const Tri quarter{{{{{0, -2, 0}}, {{1, 0, 0}, 0}, {{0, 0, 1}, 0}}}, 0};
+    std::vector<Tri> inside;
+    reference().clip({&quarter, 1}, frustum_of(screen), inside);
+    EXPECT_GE(inside.size(), 1u);
+    for (const Tri& triangle : inside) {
+        for (const auto& [p, w] : triangle.corners) EXPECT_NEAR(p.y, -2 * w, 1e-15);
+    }
+}
+
 /// The smallest of the three edge functions of a ray through the eye, by the size of their parts;
 /// positive inside, whichever way the triangle is wound; negative also when the triangle is behind.
 double inside_by(const Tri& triangle, const Vec3d& d) {

@@ -124,6 +124,38 @@ TEST(Vista, MakesTheBaselinesPictureFromInsideASphere) {
     EXPECT_EQ(different_pixels(outcome, baseline_of(studio)), 0u);
 }
 
+TEST(Vista, HasTheDepthsOfFlatThings) {
+    Scene scene = testing::empty_scene();
+    scene.camera.yaw_deg = 20;
+    scene.camera.roll_deg = -10;
+    add_shape(scene, Plane{.y = -1});
+    add_shape(scene, Cube{.centre = {1, 0, 6}, .side = 2});
+    const OwnStudio studio(std::move(scene));
+    const Screen screen(studio.scene().camera, {160, 120});
+    const Outcome outcome = rendered(studio, {"hidden=depth"});
+    for (int y = 0; y < 120; ++y) {
+        for (int x = 0; x < 160; ++x) {
+            const Ray ray = screen.ray(x + 0.5, y + 0.5);
+            const Hit hit = closest_brute(studio.scene(), ray);
+            if (!hit) continue;
+            const double z = screen.to_view(ray.at(hit.t)).z;
+            EXPECT_NEAR(plane_of<float>(outcome, "depth")(x, y) / z, 1, 1e-3) << x << ", " << y;
+        }
+    }
+}
+
+TEST(Vista, PaintsTheNearOverTheFar) {
+    Scene scene = testing::empty_scene();
+    const NodeId near = add_shape(scene, Sphere{.centre = {0, 0, 5}});
+    const NodeId far = add_shape(scene, Sphere{.centre = {0, 0, 12}, .radius = 5});
+    const OwnStudio studio(std::move(scene));
+    const Outcome outcome = rendered(studio);
+    EXPECT_EQ(plane_of<NodeId>(outcome, "ids")(80, 60), near);
+    EXPECT_EQ(plane_of<NodeId>(outcome, "ids")(80, 25), far);
+    EXPECT_EQ(plane_of<NodeId>(outcome, "ids"),
+              plane_of<NodeId>(rendered(studio, {"hidden=depth"}), "ids"));
+}
+
 TEST(Vista, TestsOneObjectForEachCoveredPixelAndTracesOnlyItsFallbacks) {
     const OwnStudio studio(testing::one_of_each());
     const Outcome outcome = rendered(studio, {"segments=8"});
