@@ -5,5 +5,7 @@ int main(int argc, char** argv) {
     verbs.push_back(luch::make_list());
     verbs.push_back(luch::make_render());
     verbs.push_back(luch::make_plan());
+    verbs.push_back(luch::make_compare());
+    verbs.push_back(luch::make_lab());
     return luch::dispatch(argc, argv, verbs);
 }
