@@ -28,8 +28,8 @@ struct Surface {
 
 /// Newell's teapot with every patch cut into segments × segments quads (≥ 1), as four surfaces:
 /// body, lid, handle, spout. 64·segments² − 8·segments triangles, since the quads at the knob and
-/// in the middle of the bottom are triangles. u runs around each surface, v along it, both from 0
-/// to 1.
+/// in the middle of the bottom are triangles. u runs around each surface, to the
+/// right as seen from outside, v along it, downwards on body and lid, both from 0 to 1.
 std::vector<Surface> teapot(int segments);
 
 /// Wavefront OBJ: positions with 5 decimals, normals and uvs with 4; `comment` becomes its first

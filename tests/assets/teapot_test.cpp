@@ -61,6 +61,17 @@ TEST(Newell, HasThirtyTwoPatchesAndTheirPublishedPoints) {
     // Of the 306 published points four, around the knob's top, belong to no patch, and twelve of
     // the foot stand twice in the list.
     EXPECT_EQ(points.size(), 306u - 4u - 12u);
+    // Sums over those of the published list, taken from the list itself.
+    Vec3d sum(0), squares(0);
+    for (const auto& [x, y, z] : points) {
+        sum += Vec3d(x, y, z);
+        squares += Vec3d(x * x, y * y, z * z);
+    }
+    EXPECT_NEAR(sum.x, 15.275, 1e-9);
+    EXPECT_NEAR(sum.y, 496.55625, 1e-9);
+    EXPECT_NEAR(squares.x, 846.519196, 1e-9);
+    EXPECT_NEAR(squares.y, 1127.1976171875, 1e-9);
+    EXPECT_NEAR(squares.z, 269.032121, 1e-9);
 }
 
 TEST(Newell, NeighbouringPatchesMeetSmoothly) {
