@@ -39,9 +39,9 @@ GlobalSettings {
 }
 
 Camera camera {
-	pos              (0, 24, -74)
+	pos              (0, 38, -90)
 	yaw              0
-	pitch            -9
+	pitch            -17
 	fov              58
 	aspectRatio      1.3333333
 }
@@ -97,12 +97,12 @@ bool touches(const Ball& ball, const std::vector<Ball>& others) {
 Ball thrown(int index, int attempt) {
     const Key key = Key(seed).branch(index).branch(attempt);
     const double rank = double(index) / (count - 1);
-    const double radius = 6.6 - 4.4 * rank;
+    const double radius = 6.6 - 4.6 * rank;
     const bool lies = index % 3 != 0;
-    const double reach = lies ? 40 : 44;
+    const double reach = lies ? 43 : 38;
     const double across = reach * (2 * key.uniform(0) - 1);
     const double depth = reach * (2 * key.uniform(1) - 1);
-    const double height = lies ? 0 : 8 + 32 * key.uniform(2);
+    const double height = lies ? 0 : 10 + 26 * key.uniform(2);
     const auto rounded = [](double value) { return std::round(value * 100) / 100; };
     const double r = rounded(radius);
     return {{rounded(across), r + rounded(height), rounded(depth)},
