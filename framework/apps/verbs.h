@@ -8,5 +8,6 @@ namespace luch {
 std::unique_ptr<Verb> make_list();
 std::unique_ptr<Verb> make_plan();
 std::unique_ptr<Verb> make_render();
+std::unique_ptr<Verb> make_view();
 
 }  // namespace luch
