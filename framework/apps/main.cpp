@@ -5,5 +5,6 @@ int main(int argc, char** argv) {
     verbs.push_back(luch::make_list());
     verbs.push_back(luch::make_render());
     verbs.push_back(luch::make_plan());
+    verbs.push_back(luch::make_view());
     return luch::dispatch(argc, argv, verbs);
 }

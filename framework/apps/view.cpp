@@ -15,44 +15,41 @@ namespace {
 /// gone; past this the process ends without it. Nothing is left to be saved by then.
 constexpr std::chrono::milliseconds patience_at_the_end{150};
 
-class View : public Verb {
+class View final : public Verb {
  public:
     [[nodiscard]] std::string_view name() const override { return "view"; }
     [[nodiscard]] std::string_view summary() const override {
         return "a window to fly through a scene and compare techniques";
     }
     [[nodiscard]] std::string_view examples() const override {
-        return "Keys\n"
+        return "  luch view scenes/room/room.scene\n"
+               "      fly through a scene with the classic tracer\n"
+               "  luch view scenes/room/room.scene -t vista --against baseline\n"
+               "      begin with the wiper between two techniques\n"
+               "  luch view scenes/room/room.scene --frames 3 --screenshot view.png\n"
+               "      three frames and a picture of the window; works without a display\n"
+               "Keys:\n"
                "  W A S D, arrows   fly; with Shift faster; E Q or PgUp PgDn: up, down\n"
                "  drag the mouse    look around; wheel, + -: fly faster, slower from now on\n"
                "  R, Home           back to the scene's camera\n"
                "  Tab, Shift+Tab    next, previous technique of the catalogue\n"
                "  C, Space          compare: the mouse moves the wiper between the two\n"
-               "  P                 next plane of the frame (ids, depth...), then the colour "
-               "again\n"
+               "  P                 next plane of the frame (ids, depth...), then the colour\n"
                "  M                 marks on and off\n"
                "  F5                time the frame, 7 times, against the other technique\n"
                "  F12               save the window as luch-view-NNN.png\n"
-               "  H, F1             help; Esc: quit\n"
-               "Examples\n"
-               "  luch view scenes/zaphod/zaphod.scene\n"
-               "      fly through a scene with the classic tracer\n"
-               "  luch view scenes/zaphod/zaphod.scene -t vista --against baseline\n"
-               "      begin with the wiper between two techniques\n"
-               "  luch view scenes/zaphod/zaphod.scene --frames 3 --screenshot view.png\n"
-               "      three frames, a picture of the window, no hands; works without a display\n";
+               "  H, F1             help; Esc: quit\n";
     }
 
     void declare(Arguments& arguments) override {
         arguments.positional("SCENE", scene_, "the scene file");
-        arguments.option("-t,--technique", technique_, "NAME", "what to show first; see luch list");
+        arguments.option("-t,--technique", technique_, "NAME",
+                         "what to show first, see luch list [baseline]");
         arguments.option("-p,--param", params_, "KEY=VALUE", "a parameter of that technique");
         arguments.option("--against", against_, "NAME",
-                         "begin with the wiper, this technique on its right (else: baseline)");
-        arguments.option("--frames", frames_, "N", "end after N frames; works without a display");
-        arguments.option(
-            "--screenshot", screenshot_, "FILE",
-            "save the window's last picture; without a display or --frames: the first");
+                         "begin with the wiper, this technique on its right [baseline]");
+        arguments.option("--frames", frames_, "N", "end after N frames [until Esc]");
+        arguments.option("--screenshot", screenshot_, "FILE", "save the window's last picture");
         options_.declare(arguments);
     }
 
@@ -74,7 +71,7 @@ class View : public Verb {
 
  private:
     void check(bool offscreen) {
-        if (frames_ < 0) throw Error("--frames is to be 1 or more");
+        if (frames_ < 0) throw Error("--frames: give 1 or more");
         if (!offscreen) return;
         if (frames_ == 0 && screenshot_.empty()) {
             throw Error(

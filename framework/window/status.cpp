@@ -61,7 +61,7 @@ std::vector<std::string> status_lines(const RenderResult& result, const std::str
     const Outcome& outcome = rendered.outcome;
     const bool declined = !rendered.declined.empty();
     std::string first = fmt::format(
-        "{}  {:.1f} ms  {:.3g} Mrays  {}x{}", declined ? fallback : name, outcome.median_ms(),
+        "{}  {:.1f} ms  {:.3g} Mrays  {}x{}", declined ? fallback : name, median(outcome.frame_ms),
         megarays(outcome), outcome.frame.size().width, outcome.frame.size().height);
     if (outcome.prepare_ms >= 0.05)
         first += fmt::format("  prepared in {:.1f} ms", outcome.prepare_ms);
@@ -90,17 +90,17 @@ std::vector<std::string> timing_lines(const RenderResult& result) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < rendered.size(); ++i) {
         const Outcome& outcome = rendered[i].outcome;
-        std::string line =
-            fmt::format("timed: {}  {:.2f} ms (median of {})  {} rays", by[i].name,
-                        outcome.median_ms(), outcome.frame_ms.size(), outcome.counts.all_rays());
+        std::string line = fmt::format("timed: {}  {:.2f} ms (median of {})  {} rays", by[i].name,
+                                       median(outcome.frame_ms), outcome.frame_ms.size(),
+                                       outcome.counts.all_rays());
         if (!rendered[i].declined.empty()) {
             line = fmt::format("timed: {} does not apply: {}", by[i].name, rendered[i].declined);
         }
         lines.push_back(std::move(line));
     }
     if (rendered.size() < 2 || !rendered.front().declined.empty()) return lines;
-    const double time = rendered.front().outcome.median_ms();
-    const double other = rendered.back().outcome.median_ms();
+    const double time = median(rendered.front().outcome.frame_ms);
+    const double other = median(rendered.back().outcome.frame_ms);
     if (time > 0 && other > 0) {
         lines.push_back(fmt::format("timed: {} takes {:.2f} of the time of {} ({:.2f}x)",
                                     by.front().name, time / other, by.back().name, other / time));

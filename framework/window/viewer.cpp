@@ -193,7 +193,7 @@ void Viewer::accept(RenderResult result) {
     double prepare_ms = 0, render_ms = 0;
     for (const Rendered& rendered : result.rendered) {
         prepare_ms += rendered.outcome.prepare_ms;
-        render_ms += rendered.outcome.median_ms();
+        render_ms += median(rendered.outcome.frame_ms);
     }
     refinement_.finished(prepare_ms, render_ms);
     result_ = std::move(result);

@@ -108,7 +108,7 @@ class Video {
     }
 };
 
-class SdlWindow : public Window {
+class SdlWindow final : public Window {
  public:
     SdlWindow(const std::string& title, Size size, bool offscreen)
         : video_(offscreen),
