@@ -39,16 +39,14 @@ TEST(Compose, AFrameOfTheWindowsSizeIsShownPixelByPixel) {
             frame(x, y) = {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), 9};
         }
     }
-    const Image<Pixel> picture =
-        composed({.window = {31, 17}, .frame = {31, 17}, .left = &frame});
+    const Image<Pixel> picture = composed({.window = {31, 17}, .frame = {31, 17}, .left = &frame});
     EXPECT_EQ(picture, frame);
 }
 
 TEST(Compose, ACoarsePictureIsStretchedOverTheFrame) {
     Image<Pixel> coarse({2, 1}, green);
     coarse(1, 0) = blue;
-    const Image<Pixel> picture =
-        composed({.window = {8, 4}, .frame = {8, 4}, .left = &coarse});
+    const Image<Pixel> picture = composed({.window = {8, 4}, .frame = {8, 4}, .left = &coarse});
     for (int x = 0; x < 8; ++x) EXPECT_EQ(picture(x, 3), x < 4 ? green : blue);
 }
 
@@ -109,7 +107,8 @@ TEST(Compose, NoWindowIsTooSmall) {
 }
 
 TEST(Text, CutsLinesAtBlanksAndLosesNoWord) {
-    const std::string text = "vista does not apply: the scene has no light at all; baseline is shown";
+    const std::string text =
+        "vista does not apply: the scene has no light at all; baseline is shown";
     const std::vector<std::string> lines = wrapped(text, 1, 120);
     ASSERT_GT(lines.size(), 1u);
     std::string joined;

@@ -12,7 +12,9 @@ constexpr Pixel magenta{255, 0, 255}, black{}, white{255, 255, 255};
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-int lightness(const Pixel& pixel) { return 2 * pixel.r + 7 * pixel.g + pixel.b; }
+int lightness(const Pixel& pixel) {
+    return 2 * pixel.r + 7 * pixel.g + pixel.b;
+}
 
 template <class T>
 Plane2d plane_of(PlaneKind kind, std::vector<T> values) {
@@ -23,7 +25,8 @@ Plane2d plane_of(PlaneKind kind, std::vector<T> values) {
 
 TEST(Develop, ColourIsEncodedAndWhatIsNotFiniteIsMagenta) {
     Frame frame({4, 1});
-    frame.colour.pixels() = {Rgb(0.5f, 0, 1), Rgb(2, -1, 0.18f), Rgb(nan, 0, 0), Rgb(0, infinity, 0)};
+    frame.colour.pixels() = {Rgb(0.5f, 0, 1), Rgb(2, -1, 0.18f), Rgb(nan, 0, 0),
+                             Rgb(0, infinity, 0)};
     const Image<Pixel> picture = developed(frame, Workers(2));
     EXPECT_EQ(picture(0, 0), (Pixel{188, 0, 255}));
     EXPECT_EQ(picture(1, 0), (Pixel{255, 0, 118}));
@@ -32,8 +35,8 @@ TEST(Develop, ColourIsEncodedAndWhatIsNotFiniteIsMagenta) {
 }
 
 TEST(Develop, ScalarsGetLighterFromLeastToMostAndAreClamped) {
-    const Image<Pixel> picture = developed(
-        plane_of<float>(PlaneKind::scalar, {-5, 2, 4, 6, 8, 10, 99, nan, infinity}));
+    const Image<Pixel> picture =
+        developed(plane_of<float>(PlaneKind::scalar, {-5, 2, 4, 6, 8, 10, 99, nan, infinity}));
     EXPECT_EQ(picture(0, 0), picture(1, 0));
     for (int x = 1; x < 5; ++x) EXPECT_LT(lightness(picture(x, 0)), lightness(picture(x + 1, 0)));
     EXPECT_EQ(picture(5, 0), picture(6, 0));
@@ -61,7 +64,9 @@ TEST(Develop, NeighbouringIdsDifferAndNothingIsBlack) {
         colours.insert({pixel.r, pixel.g, pixel.b});
         const Pixel& before = picture(x - 1, 0);
         EXPECT_GT(std::abs(pixel.r - before.r) + std::abs(pixel.g - before.g) +
-                      std::abs(pixel.b - before.b), 8) << x;
+                      std::abs(pixel.b - before.b),
+                  8)
+            << x;
     }
     EXPECT_EQ(colours.size(), 200u);
 }

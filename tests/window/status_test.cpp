@@ -32,8 +32,7 @@ TEST(Status, SaysWhyATechniqueDoesNotApplyAndWhatIsShownInstead) {
     result.rendered.front().declined = "there is no light";
     const auto lines = status_lines(result, "baseline");
     EXPECT_THAT(lines.front(), HasSubstr("baseline  5.0 ms"));
-    EXPECT_THAT(lines,
-                Contains("vista does not apply: there is no light; baseline is shown"));
+    EXPECT_THAT(lines, Contains("vista does not apply: there is no light; baseline is shown"));
 }
 
 TEST(Status, TellsWhatWasLeftOutWhatIsUnwrittenAndWhatIsNotFinite) {
