@@ -6,8 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 namespace luch {
 namespace {
 
@@ -117,7 +115,7 @@ void write_picture(const std::filesystem::path& file, ImageView<const Rgb> linea
     for (std::size_t i = 0; i < linear.size().area(); ++i) {
         displayed.pixels()[i] = srgb_encoded(linear.data()[i]);
     }
-    formats::stb_write(file, format, std::as_const(displayed).view());
+    formats::stb_write(file, format, displayed.view());
 }
 
 }  // namespace luch

@@ -58,14 +58,14 @@ fs::path Assets::path(Properties& block, const Property& property) const {
         block.diagnostics().fail(property.line,
                                  fmt::format("{} is an absolute path; name it relative to the "
                                              "scene, below the root that --root sets",
-                                             quoted(name)));
+                                             shown(name)));
     }
     const fs::path file = (folder_ / name).lexically_normal();
     if (!inside_root(file)) {
         block.diagnostics().fail(property.line,
                                  fmt::format("{} lies outside the root {}; move it there, or name "
                                              "a wider one with --root DIR",
-                                             quoted(name), root_.string()));
+                                             shown(name), root_.string()));
     }
     return file;
 }

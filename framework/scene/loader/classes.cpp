@@ -71,7 +71,7 @@ const BlockClass& class_of(const Block& block, const Diagnostics& diagnostics) {
                                                  block.class_name));
     }
     const auto wanted = std::string_view(block.class_name).substr(0, 64);
-    diagnostics.fail(block.line, fmt::format("there is no class {}; {}", quoted(block.class_name),
+    diagnostics.fail(block.line, fmt::format("there is no class {}; {}", shown(block.class_name),
                                              did_you_mean(wanted, names)));
 }
 

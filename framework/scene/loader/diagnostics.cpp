@@ -2,7 +2,7 @@
 
 namespace luch::loader {
 
-std::string quoted(std::string_view word) {
+std::string shown(std::string_view word) {
     constexpr std::size_t longest = 64;
     std::string text = "\"";
     for (const char c : word.substr(0, longest)) {

@@ -9,7 +9,7 @@
 namespace luch::loader {
 
 /// A word of the file within quotes, fit for a message: shortened, and without control characters.
-std::string quoted(std::string_view word);
+std::string shown(std::string_view word);
 
 /// Where a scene file's mistakes go.
 class Diagnostics {

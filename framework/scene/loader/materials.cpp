@@ -17,7 +17,7 @@ TextureId coloured_texture(const std::string& name, int line, const Loading& loa
     if (std::holds_alternative<BumpTexture>(loading.scene.textures[id])) {
         loading.diagnostics.fail(line, fmt::format("{} is a BumpTexture, which has no colour; "
                                                    "choose a texture of another class",
-                                                   quoted(name)));
+                                                   shown(name)));
     }
     return id;
 }
@@ -51,7 +51,7 @@ Layered::Layer layer_of(const Property& line, const Loading& loading) {
         loading.diagnostics.fail(line.line,
                                  fmt::format("layer is {}; write a shader, a colour and perhaps a "
                                              "texture, as in \"layer mirror (1, 1, 1) mask\"",
-                                             quoted(line.value)));
+                                             shown(line.value)));
     }
     Layered::Layer layer{};
     layer.material = loading.names.find(Kind::shader, words[0], line.line, loading.diagnostics);

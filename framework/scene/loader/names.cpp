@@ -21,7 +21,7 @@ void NameTable::add(Kind kind, const Block& block, Diagnostics& diagnostics) {
                          fmt::format("line {} has a {} {} already, and that one is found; rename "
                                      "one of the two",
                                      entry->second.line, words[static_cast<std::size_t>(kind)],
-                                     quoted(block.name)));
+                                     shown(block.name)));
     }
 }
 
@@ -31,10 +31,10 @@ std::uint32_t NameTable::find(Kind kind, const std::string& name, int line,
     if (const auto entry = entries.find(name); entry != entries.end()) return entry->second.index;
 
     const std::string_view wanted = words[static_cast<std::size_t>(kind)];
-    std::string problem = fmt::format("there is no {} {}", wanted, quoted(name));
+    std::string problem = fmt::format("there is no {} {}", wanted, shown(name));
     for (std::size_t other = 0; other < std::size(words); ++other) {
         if (kinds_[other].entries.contains(name)) {
-            problem = fmt::format("{} is a {}, not a {}", quoted(name), words[other], wanted);
+            problem = fmt::format("{} is a {}, not a {}", shown(name), words[other], wanted);
         }
     }
     std::vector<std::string_view> candidates;

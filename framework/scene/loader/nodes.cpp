@@ -37,7 +37,7 @@ Transform transform_of(Properties& block) {
             block.diagnostics().fail(line->line,
                                      fmt::format("{} {} makes the transform singular; choose "
                                                  "numbers that flatten nothing",
-                                                 line->name, quoted(line->value)));
+                                                 line->name, shown(line->value)));
         }
     }
     return transform;
@@ -48,9 +48,9 @@ TextureId bump_of(Properties& block, const Loading& loading) {
     if (!property) return no_texture;
     const TextureId id = loading.names.find(Kind::texture, block, *property);
     if (!std::holds_alternative<BumpTexture>(loading.scene.textures[id])) {
-        block.diagnostics().fail(property->line,
-                                 fmt::format("{} is no BumpTexture; choose one for bump",
-                                             quoted(block.text(*property))));
+        block.diagnostics().fail(
+            property->line,
+            fmt::format("{} is no BumpTexture; choose one for bump", shown(block.text(*property))));
     }
     return id;
 }

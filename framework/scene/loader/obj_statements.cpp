@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace luch::loader {
 namespace {
@@ -83,7 +84,7 @@ class Reader {
             const auto value = parsed_number(word);
             if (!value || std::abs(*value) > most) {
                 fail(fmt::format("{} is not a number from -1e30 to 1e30; correct the mesh",
-                                 quoted(word)));
+                                 shown(word)));
             }
             result[k] = *value;
         }
@@ -100,7 +101,7 @@ class Reader {
             fail(
                 fmt::format("the corner {} is not of the form 1, 1/2, 1//3 or 1/2/3; correct the "
                             "mesh",
-                            quoted(word)));
+                            shown(word)));
         }
         const std::int64_t from_zero =
             value > 0 ? value - 1 : static_cast<std::int64_t>(count) + value;
@@ -154,7 +155,7 @@ class Reader {
         if (!std::exchange(warned_, true)) {
             diagnostics_.warn({file_, line_}, fmt::format("{} is no statement of OBJ; lines like "
                                                           "this are passed over",
-                                                          quoted(word)));
+                                                          shown(word)));
         }
     }
 

@@ -61,7 +61,7 @@ class Parser {
         }
         if (in_block_) {
             const Block& block = blocks_.back();
-            diagnostics_.fail(block.line, fmt::format("the block {} is never closed; end it with } "
+            diagnostics_.fail(block.line, fmt::format("the block {} is never closed; end it with }} "
                                                       "on a line of its own",
                                                       title(block)));
         }
@@ -72,7 +72,7 @@ class Parser {
     [[noreturn]] void fail(const std::string& message) const { diagnostics_.fail(line_, message); }
 
     static std::string title(const Block& block) {
-        return quoted(block.name.empty() ? block.class_name : block.class_name + " " + block.name);
+        return shown(block.name.empty() ? block.class_name : block.class_name + " " + block.name);
     }
 
     /// A block comment runs from a line that begins with /* to a line with */ in its first column.
@@ -96,7 +96,7 @@ class Parser {
         if (text == "}") fail("this } closes nothing; remove it");
         const std::vector<std::string> words = words_of(text.substr(0, text.size() - 1));
         if (!text.ends_with('{') || words.empty() || words.size() > 2) {
-            fail(quoted(text) + " does not open a block; write \"Class name {\"");
+            fail(shown(text) + " does not open a block; write \"Class name {\"");
         }
         blocks_.push_back({words[0], words.size() > 1 ? words[1] : "", line_, {}});
         in_block_ = true;
@@ -117,7 +117,7 @@ class Parser {
         while (length < text.size() && is_letter(text[length])) ++length;
         const std::string_view value = trimmed(text.substr(length));
         if (length == 0 || has_bare_brace(value)) {
-            fail(quoted(text) +
+            fail(shown(text) +
                  " is not a property; write \"name value\", one to a line, and } "
                  "on a line of its own");
         }

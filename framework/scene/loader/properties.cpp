@@ -19,7 +19,7 @@ std::vector<std::string> numeric_words(std::string value) {
 }  // namespace
 
 std::string Properties::title() const {
-    return block_.name.empty() ? block_.class_name : block_.class_name + " " + quoted(block_.name);
+    return block_.name.empty() ? block_.class_name : block_.class_name + " " + shown(block_.name);
 }
 
 const Property* Properties::find(Names names) {
@@ -85,7 +85,7 @@ double Properties::number(const Property& property, Range range) {
     const auto value = words.size() == 1 ? parsed_number(words[0]) : std::nullopt;
     if (!value) {
         diagnostics_.fail(property.line, fmt::format("{} is {}; give it one finite number",
-                                                     property.name, quoted(property.value)));
+                                                     property.name, shown(property.value)));
     }
     if (*value < range.least || *value > range.most) {
         diagnostics_.fail(property.line,
@@ -100,16 +100,15 @@ Vec3d Properties::vector(const Property& property, Range range) {
     if (words.size() != 3) {
         diagnostics_.fail(property.line,
                           fmt::format("{} is {}; give it three numbers, as in (1, 2, 3)",
-                                      property.name, quoted(property.value)));
+                                      property.name, shown(property.value)));
     }
     Vec3d result{0};
     for (int k = 0; k < 3; ++k) {
         const auto value = parsed_number(words[k]);
         if (!value || *value < range.least || *value > range.most) {
-            diagnostics_.fail(
-                property.line,
-                fmt::format("{} holds {}; give it numbers from {} to {}", property.name,
-                            quoted(words[k]), range.least, range.most));
+            diagnostics_.fail(property.line,
+                              fmt::format("{} holds {}; give it numbers from {} to {}",
+                                          property.name, shown(words[k]), range.least, range.most));
         }
         result[k] = *value;
     }
@@ -160,7 +159,7 @@ void Properties::finish() {
         const std::string_view wanted = std::string_view(property.name).substr(0, 64);
         diagnostics_.warn(property.line,
                           fmt::format("{} has no property {}; {}", block_.class_name,
-                                      quoted(property.name), did_you_mean(wanted, known_)));
+                                      shown(property.name), did_you_mean(wanted, known_)));
     }
 }
 

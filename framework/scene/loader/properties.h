@@ -11,8 +11,8 @@ namespace luch::loader {
 
 /// A property's name and, where it had another once, its old one.
 struct Names {
-    Names(const char* now) : now(now), old(now) {}  // NOLINT: reads as a name
-    Names(const char* now, const char* old) : now(now), old(old) {}
+    Names(const char* name) : now(name), old(name) {}  // NOLINT: reads as a name
+    Names(const char* name, const char* old_name) : now(name), old(old_name) {}
     std::string_view now, old;
 };
 

@@ -35,7 +35,7 @@ Call parsed(std::string_view value, std::size_t begin, std::size_t open, int lin
         diagnostics.fail(line,
                          fmt::format("{} is no random number; write {}(a, b) with a <= b, "
                                      "both within 1e9",
-                                     quoted(value.substr(begin)), whole ? "randint" : "randfloat"));
+                                     shown(value.substr(begin)), whole ? "randint" : "randfloat"));
     }
     return {begin, close + 1, whole, *low, *high};
 }

@@ -29,7 +29,7 @@ std::filesystem::path side_of(Properties& block, const Property& property, const
     block.diagnostics().fail(property.line,
                              fmt::format("the folder {} has no {} side; put {}.bmp, .png, .exr or "
                                          ".hdr there",
-                                         quoted(block.text(property)), side, side));
+                                         shown(block.text(property)), side, side));
 }
 
 }  // namespace
