@@ -15,10 +15,10 @@ struct Composition {
     const Image<Pixel>* left = nullptr;   ///< of any resolution; none: black
     const Image<Pixel>* right = nullptr;  ///< none: `left` fills the frame
     double split = 0.5;                   ///< where the right one begins, 0..1 of the frame's width
-    std::string left_label, right_label;  ///< shown while there are two pictures
-    std::vector<std::string> status;      ///< along the bottom; wrapped
-    std::string trouble;                  ///< below it, in red; wrapped
-    std::vector<std::string> help;        ///< in the middle, over everything
+    std::string left_label = {}, right_label = {};  ///< shown while there are two pictures
+    std::vector<std::string> status = {};           ///< along the bottom; wrapped
+    std::string trouble = {};                       ///< below it, in red; wrapped
+    std::vector<std::string> help = {};             ///< in the middle, over everything
 };
 
 /// The largest rectangle of the frame's proportions inside the window, centred. Empty when either

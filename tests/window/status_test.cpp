@@ -39,9 +39,9 @@ TEST(Status, TellsWhatWasLeftOutWhatIsUnwrittenAndWhatIsNotFinite) {
     RenderResult result = result_of(5, 1000);
     Outcome& outcome = result.rendered.front().outcome;
     EXPECT_EQ(status_lines(result, "baseline").size(), 1u);
-    outcome.plan.stages = {{.name = "bump", .needed = false},
-                           {.name = "blur", .needed = true},
-                           {.name = "haze", .needed = false, .kind = Stage::bounded}};
+    outcome.plan.stages = {{"bump", false, Stage::exact, "no bump"},
+                           {"blur", true, Stage::exact, "noise"},
+                           {"haze", false, Stage::bounded, "thin", 0.5f}};
     outcome.unwritten = {"ssao.t1", "ssao.t2"};
     outcome.non_finite = {3, 7, 9};
     const auto lines = status_lines(result, "baseline");
