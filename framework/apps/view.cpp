@@ -35,7 +35,7 @@ class View final : public Verb {
                "  Tab, Shift+Tab    next, previous technique of the catalogue\n"
                "  C, Space          compare: the mouse moves the wiper between the two\n"
                "  P                 next plane of the frame (ids, depth...), then the colour\n"
-               "  M                 marks on and off\n"
+               "  M, I              marks, the text along the bottom: on and off\n"
                "  F5                time the frame, 7 times, against the other technique\n"
                "  F12               save the window as luch-view-NNN.png\n"
                "  H, F1             help; Esc: quit\n";

@@ -28,6 +28,7 @@ enum class Command {
     faster,
     slower,
     home,
+    info,
     help,
     screenshot,
     time,

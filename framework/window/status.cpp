@@ -36,6 +36,7 @@ std::vector<std::string> help_lines() {
         "M                 marks on and off",
         "F5                time the frame against the other technique",
         "F12               save a picture of the window",
+        "I                 the text along the bottom on and off",
         "H, F1             this help",
         "Esc               quit",
     };

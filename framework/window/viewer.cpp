@@ -100,6 +100,9 @@ void Viewer::obey(Command command) {
             setup_.shot.camera = home_;
             refinement_.changed();
             break;
+        case Command::info:
+            info_ = !info_;
+            break;
         case Command::help:
             help_ = !help_;
             break;
@@ -297,7 +300,7 @@ void Viewer::draw() {
         composition.left_label = result_->request.techniques.front().name;
         composition.right_label = result_->request.techniques.back().name;
     }
-    composition.status = status();
+    if (info_) composition.status = status();
     composition.trouble = trouble_;
     if (help_) composition.help = help_lines();
     picture_ = composed(composition);

@@ -89,7 +89,8 @@ class Viewer {
     double speed_;
     std::chrono::nanoseconds now_{0}, started_{0};
     Size size_;  ///< of the window
-    bool moving_ = false, dirty_ = true, done_ = false, help_ = false, marks_ = true;
+    bool moving_ = false, dirty_ = true, done_ = false, help_ = false;
+    bool marks_ = true, info_ = true;
     double split_ = 0.5;
     int frames_ = 0;
     std::string plane_;  ///< the plane shown; "": the colour

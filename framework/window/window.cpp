@@ -71,6 +71,8 @@ std::optional<Command> command_of(const SDL_Keysym& key) {
         case SDL_SCANCODE_R:
         case SDL_SCANCODE_HOME:
             return Command::home;
+        case SDL_SCANCODE_I:
+            return Command::info;
         case SDL_SCANCODE_H:
         case SDL_SCANCODE_F1:
             return Command::help;

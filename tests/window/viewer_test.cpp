@@ -31,7 +31,7 @@ class ViewerTest : public ::testing::Test {
  protected:
     ViewerTest() {
         setup.shot.camera = fake.scene.camera;
-        setup.shot.size = {64, 48};
+        setup.shot.size = {320, 240};
         setup.clock = [this] { return now; };
         setup.folder = ::testing::TempDir();
     }
@@ -56,10 +56,10 @@ class ViewerTest : public ::testing::Test {
         });
     }
     /// A pixel of the picture above the status and below the labels.
-    Pixel pixel(int x = 10) { return viewer->picture()(x, 14); }
+    Pixel pixel(int x = 10) { return viewer->picture()(x, 60); }
 
     FakeStudio fake;
-    FakeWindow window{{64, 48}};
+    FakeWindow window{{320, 240}};
     std::ostringstream out;
     std::chrono::nanoseconds now{1'000'000'000'000'000'000};
     ViewerSetup setup;
@@ -69,7 +69,7 @@ class ViewerTest : public ::testing::Test {
 TEST_F(ViewerTest, ShowsTheWholePicture) {
     open();
     ASSERT_TRUE(settle());
-    EXPECT_EQ(window.shown, (Size{64, 48}));
+    EXPECT_EQ(window.shown, (Size{320, 240}));
     EXPECT_EQ(pixel(), green);
 }
 
@@ -203,7 +203,7 @@ TEST_F(ViewerTest, AFailureEndsARunOfSoManyFrames) {
 TEST_F(ViewerTest, MakesAsManyFramesAsAsked) {
     int made = 0;
     add("counting", [&](const Shot& shot, Frame&, Context&) {
-        EXPECT_EQ(shot.size, (Size{64, 48})) << "no previews";
+        EXPECT_EQ(shot.size, (Size{320, 240})) << "no previews";
         ++made;
     });
     setup.frames = 5;
@@ -258,6 +258,14 @@ TEST_F(ViewerTest, MarksCanBeHidden) {
     EXPECT_EQ(pixel(0), Pixel{});
 }
 
+TEST_F(ViewerTest, TheTextCanBeHidden) {
+    open();
+    ASSERT_TRUE(settle());
+    EXPECT_NE(viewer->picture(), (Image<Pixel>({320, 240}, green)));
+    press(Command::info);
+    EXPECT_EQ(viewer->picture(), (Image<Pixel>({320, 240}, green)));
+}
+
 TEST_F(ViewerTest, AScreenshotIsTheWindowAndNeverOverwritesOne) {
     setup.folder = std::filesystem::path(::testing::TempDir()) /
                    ("luch_screenshots_" + std::to_string(::getpid()));
@@ -273,8 +281,8 @@ TEST_F(ViewerTest, AScreenshotIsTheWindowAndNeverOverwritesOne) {
     EXPECT_THAT(out.str(), HasSubstr("luch-view-001.png"));
     EXPECT_THAT(out.str(), HasSubstr("luch-view-002.png"));
     const Picture saved = read_picture(folder / "luch-view-001.png");
-    EXPECT_EQ(saved.pixels.size(), (Size{64, 48}));
-    EXPECT_EQ(pixel_of(saved.pixels(10, 14)), green);
+    EXPECT_EQ(saved.pixels.size(), (Size{320, 240}));
+    EXPECT_EQ(pixel_of(saved.pixels(10, 60)), green);
     std::filesystem::remove_all(folder);
 }
 
@@ -298,7 +306,7 @@ TEST_F(ViewerTest, SurvivesAThousandSizes) {
     window.resize({7680, 4320});
     ASSERT_TRUE(settle());
     EXPECT_EQ(window.shown, (Size{7680, 4320}));
-    window.resize({64, 48});
+    window.resize({320, 240});
     ASSERT_TRUE(settle());
     EXPECT_EQ(pixel(), green);
 }
@@ -336,13 +344,13 @@ TEST_F(ViewerTest, WorksInAWindowThatNobodySees) {
     add("green", painting({0, 1, 0}));
     setup.frames = 3;
     setup.screenshot = file;
-    const std::unique_ptr<Window> offscreen = open_window("a test", {96, 64}, true);
-    EXPECT_EQ(offscreen->size(), (Size{96, 64}));
+    const std::unique_ptr<Window> offscreen = open_window("a test", {320, 200}, true);
+    EXPECT_EQ(offscreen->size(), (Size{320, 200}));
     Viewer seen(fake.studio(), std::move(setup), *offscreen, out);
     seen.run();
     const Picture saved = read_picture(file);
-    EXPECT_EQ(saved.pixels.size(), (Size{96, 64}));
-    EXPECT_EQ(pixel_of(saved.pixels(40, 20)), green);
+    EXPECT_EQ(saved.pixels.size(), (Size{320, 200}));
+    EXPECT_EQ(pixel_of(saved.pixels(40, 60)), green);
     std::filesystem::remove(file);
 }
 
