@@ -70,7 +70,10 @@ class View final : public Verb {
     }
 
  private:
+    /// Before a scene is loaded, which may take long.
     void check(bool offscreen) {
+        find_technique(technique_);
+        find_technique(against());
         if (frames_ < 0) throw Error("--frames: give 1 or more");
         if (!offscreen) return;
         if (frames_ == 0 && screenshot_.empty()) {
@@ -83,10 +86,11 @@ class View final : public Verb {
         std::cerr << "luch view: no display, going on offscreen\n";
     }
 
+    [[nodiscard]] std::string against() const { return against_.empty() ? "baseline" : against_; }
+
     [[nodiscard]] ViewerSetup setup(const Session& session) const {
-        const std::string against = against_.empty() ? "baseline" : against_;
         const TechniqueInfo& shown = find_technique(technique_);
-        const TechniqueInfo& other = find_technique(against);
+        const TechniqueInfo& other = find_technique(against());
         ViewerSetup setup;
         for (const TechniqueInfo& info : catalogue()) {
             if (info.name == shown.name) setup.shown = setup.techniques.size();

@@ -30,22 +30,26 @@ void paste(ImageView<Pixel> window, Tile area, const Image<Pixel>& picture, int 
     }
 }
 
-/// Lines of text on a dim rectangle.
-void draw_block(ImageView<Pixel> window, int x, int y, int scale,
-                const std::vector<std::string>& lines, Pixel colour) {
+int block_width(const std::vector<std::string>& lines, int scale) {
     int width = 0;
     for (const std::string& line : lines) width = std::max(width, text_width(line, scale));
-    const int height = static_cast<int>(lines.size()) * line_height_px * scale;
-    const int margin = 3 * scale;
-    fill(window, {x, y, x + width + 2 * margin, y + height + 2 * margin}, paper, paper_opacity);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const int down = static_cast<int>(i) * line_height_px * scale;
-        draw_text(window, x + margin, y + margin + 2 * scale + down, scale, lines[i], colour);
-    }
+    return width + 6 * scale;
 }
 
 int block_height(std::size_t lines, int scale) {
     return lines == 0 ? 0 : (static_cast<int>(lines) * line_height_px + 6) * scale;
+}
+
+/// Lines of text on a dim rectangle.
+void draw_block(ImageView<Pixel> window, int x, int y, int scale,
+                const std::vector<std::string>& lines, Pixel colour) {
+    const int margin = 3 * scale;
+    fill(window, {x, y, x + block_width(lines, scale), y + block_height(lines.size(), scale)},
+         paper, paper_opacity);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const int down = static_cast<int>(i) * line_height_px * scale;
+        draw_text(window, x + margin, y + margin + 2 * scale + down, scale, lines[i], colour);
+    }
 }
 
 void draw_pictures(ImageView<Pixel> window, Tile area, const Composition& composition) {
@@ -62,7 +66,7 @@ void draw_pictures(ImageView<Pixel> window, Tile area, const Composition& compos
 
 void draw_labels(ImageView<Pixel> window, Tile area, int scale, const Composition& composition) {
     if (composition.right == nullptr) return;
-    const int width = text_width(composition.right_label, scale) + 6 * scale;
+    const int width = block_width({composition.right_label}, scale);
     draw_block(window, area.x0, area.y0, scale, {composition.left_label}, ink);
     draw_block(window, area.x1 - width, area.y0, scale, {composition.right_label}, ink);
 }
@@ -80,13 +84,20 @@ void draw_status(ImageView<Pixel> window, int scale, const Composition& composit
     if (!status.empty()) draw_block(window, 0, y, scale, status, ink);
 }
 
+/// Two columns, the keys and what they do, a tab between.
 void draw_help(ImageView<Pixel> window, int scale, const std::vector<std::string>& help) {
     if (help.empty()) return;
-    int width = 0;
-    for (const std::string& line : help) width = std::max(width, text_width(line, scale));
-    const int x = (window.width() - width) / 2 - 3 * scale;
-    const int y = (window.height() - block_height(help.size(), scale)) / 2;
-    draw_block(window, std::max(0, x), std::max(0, y), scale, help, ink);
+    std::vector<std::string> keys, texts;
+    for (const std::string& line : help) {
+        const std::size_t tab = std::min(line.find('\t'), line.size());
+        keys.push_back(line.substr(0, tab));
+        texts.push_back(line.substr(std::min(tab + 1, line.size())));
+    }
+    const int first = block_width(keys, scale), second = block_width(texts, scale);
+    const int x = std::max(0, (window.width() - first - second) / 2);
+    const int y = std::max(0, (window.height() - block_height(help.size(), scale)) / 2);
+    draw_block(window, x, y, scale, keys, ink);
+    draw_block(window, x + first, y, scale, texts, ink);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Composition {
     std::string left_label = {}, right_label = {};  ///< shown while there are two pictures
     std::vector<std::string> status = {};           ///< along the bottom; wrapped
     std::string trouble = {};                       ///< below it, in red; wrapped
-    std::vector<std::string> help = {};             ///< in the middle, over everything
+    std::vector<std::string> help = {};             ///< in the middle, over everything; "key\ttext"
 };
 
 /// The largest rectangle of the frame's proportions inside the window, centred. Empty when either

@@ -56,7 +56,7 @@ double flying_speed(const Scene& scene) {
     if (reaches.empty()) return speed_without_bounds;
     const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2);
     std::nth_element(reaches.begin(), middle, reaches.end());
-    return *middle / 2;
+    return *middle / 4;
 }
 
 }  // namespace luch

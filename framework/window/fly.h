@@ -17,7 +17,7 @@ Camera turned(const Camera& camera, const Vec2d& drag_px, double degrees_per_px)
 /// Turning by this makes a drag across the whole frame cover its field of view from left to right.
 double degrees_per_px(const Camera& camera, int width_px);
 
-/// A speed that suits a scene, in world units a second: half of the typical distance from the
+/// A speed that suits a scene, in world units a second: a quarter of the typical distance from the
 /// camera to the middle of a node, or of a node's size where that is larger. Positive and finite.
 double flying_speed(const Scene& scene);
 

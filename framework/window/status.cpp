@@ -25,20 +25,20 @@ std::string left_out(const Plan& plan) {
 
 std::vector<std::string> help_lines() {
     return {
-        "W A S D, arrows   fly; with Shift faster",
-        "E Q, PgUp PgDn    up, down",
-        "drag the mouse    look around",
-        "wheel, + -        fly faster, slower from now on",
-        "R, Home           back to the scene's camera",
-        "Tab, Shift+Tab    next, previous technique",
-        "C, Space          compare: the mouse moves the wiper",
-        "P                 next plane of the frame, then the colour again",
-        "M                 marks on and off",
-        "F5                time the frame against the other technique",
-        "F12               save a picture of the window",
-        "I                 the text along the bottom on and off",
-        "H, F1             this help",
-        "Esc               quit",
+        "W A S D, arrows\tfly; with Shift faster",
+        "E Q, PgUp PgDn\tup, down",
+        "drag the mouse\tlook around",
+        "wheel, + -\tfly faster, slower from now on",
+        "R, Home\tback to the scene's camera",
+        "Tab, Shift+Tab\tnext, previous technique",
+        "C, Space\tcompare: the mouse moves the wiper",
+        "P\tnext plane of the frame, then the colour again",
+        "M\tmarks on and off",
+        "F5\ttime the frame against the other technique",
+        "F12\tsave a picture of the window",
+        "I\tthe text along the bottom on and off",
+        "H, F1\tthis help",
+        "Esc\tquit",
     };
 }
 

@@ -8,7 +8,7 @@
 
 namespace luch {
 
-/// The keys and what they do, one a line.
+/// The keys and what they do, one a line, a tab between.
 std::vector<std::string> help_lines();
 
 /// "x,y,z,yaw,pitch,roll,fov", exactly: what --camera reads.

@@ -82,6 +82,9 @@ void Viewer::obey(Command command) {
         case Command::compare:
             setup_.compare = !setup_.compare;
             restart();
+            if (setup_.compare && setup_.shown == setup_.against) {
+                notes_ = {other().name + " is compared with itself: Tab shows another technique"};
+            }
             break;
         case Command::next_plane:
             next_plane();

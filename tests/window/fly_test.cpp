@@ -111,7 +111,7 @@ TEST(Fly, SpeedFollowsTheSizeOfTheScene) {
         add_node(scene, "ball", 0, 0, Transform{});
         return scene;
     };
-    EXPECT_NEAR(flying_speed(scene_at(1)), 2, 1e-12);
+    EXPECT_NEAR(flying_speed(scene_at(1)), 1, 1e-12);
     EXPECT_NEAR(flying_speed(scene_at(1e6)) / flying_speed(scene_at(1e-6)), 1e12, 1);
 }
 
