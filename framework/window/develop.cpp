@@ -34,8 +34,8 @@ Pixel heat(float value, float least, float most) {
 /// Neighbouring ids get colours far apart: the bits are mixed by a multiplicative hash (Knuth's
 /// golden-ratio constant), and no channel is darker than 64.
 Pixel id_colour(std::uint32_t id) {
-    if (id == 0 || id == ~0u) return {};
-    std::uint32_t bits = id * 2654435769u;
+    if (id == ~0u) return {};
+    std::uint32_t bits = (id + 1) * 2654435769u;
     bits ^= bits >> 15;
     bits *= 2246822519u;
     const auto channel = [&](int shift) {

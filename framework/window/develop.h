@@ -11,7 +11,7 @@ namespace luch {
 Image<Pixel> developed(const Frame& frame, const Workers& workers);
 
 /// A plane in false colours: scalars from dark blue (least) through green to yellow (most), values
-/// beyond clamped; ids each in a colour of its own, 0 and ~0 black; normals n/2 + 1/2; masks black
+/// beyond clamped; ids each in a colour of its own, ~0 (none) black; normals n/2 + 1/2; masks black
 /// and white; colours as they are. What is not finite is magenta.
 Image<Pixel> developed(const Plane2d& plane);
 

@@ -150,7 +150,12 @@ void Viewer::take_screenshot() {
     try {
         const auto file = free_screenshot_name(setup_.folder);
         write_screenshot(file, picture_);
-        say("saved " + file.string() + "; the same view: --camera " + camera_text(camera()));
+        std::string text = "saved " + file.string();
+        if (result_) {
+            text += "; the same view: -t " + result_->request.techniques.front().name +
+                    " --camera " + camera_text(result_->request.shot.camera);
+        }
+        say(std::move(text));
     } catch (const std::exception& problem) {
         trouble_ = problem.what();
         *out_ << trouble_ << std::endl;

@@ -52,14 +52,13 @@ TEST(Develop, AScalarWithoutARangeIsOneColour) {
     EXPECT_NE(picture(0, 0), magenta);
 }
 
-TEST(Develop, NeighbouringIdsDifferAndNothingIsBlack) {
-    std::vector<std::uint32_t> ids{0, ~0u};
-    for (std::uint32_t id = 1; id <= 200; ++id) ids.push_back(id);
+TEST(Develop, NeighbouringIdsDifferAndNoneIsBlack) {
+    std::vector<std::uint32_t> ids{~0u};
+    for (std::uint32_t id = 0; id < 200; ++id) ids.push_back(id);
     const Image<Pixel> picture = developed(plane_of<std::uint32_t>(PlaneKind::id, ids));
     EXPECT_EQ(picture(0, 0), black);
-    EXPECT_EQ(picture(1, 0), black);
     std::set<std::tuple<int, int, int>> colours;
-    for (int x = 2; x < picture.width(); ++x) {
+    for (int x = 1; x < picture.width(); ++x) {
         const Pixel& pixel = picture(x, 0);
         colours.insert({pixel.r, pixel.g, pixel.b});
         const Pixel& before = picture(x - 1, 0);
