@@ -7,5 +7,6 @@ int main(int argc, char** argv) {
     verbs.push_back(luch::make_plan());
     verbs.push_back(luch::make_compare());
     verbs.push_back(luch::make_lab());
+    verbs.push_back(luch::make_view());
     return luch::dispatch(argc, argv, verbs);
 }

@@ -10,5 +10,6 @@ std::unique_ptr<Verb> make_lab();
 std::unique_ptr<Verb> make_list();
 std::unique_ptr<Verb> make_plan();
 std::unique_ptr<Verb> make_render();
+std::unique_ptr<Verb> make_view();
 
 }  // namespace luch
