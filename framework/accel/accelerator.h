@@ -22,8 +22,8 @@ struct WorkCounts {
 };
 
 /// Finds what rays meet in one scene. Built once, then read by any number of threads. Techniques do
-/// not call it: they shoot through a Tracer, which counts. A ray with a NaN, an infinite origin or a
-/// zero direction misses.
+/// not call it: they shoot through a Tracer, which counts. A ray with a NaN, an infinite origin or
+/// a zero direction misses.
 class Accelerator {
  public:
     virtual ~Accelerator() = default;
@@ -37,8 +37,8 @@ class Accelerator {
     virtual std::uint64_t bytes() const = 0;
 };
 
-/// Binned-SAH BVHs over the triangles of every mesh, and one over the nodes. Keeps a reference to the
-/// scene, which must outlive it.
+/// Binned-SAH BVHs over the triangles of every mesh, and one over the nodes. Keeps a reference to
+/// the scene, which must outlive it.
 std::unique_ptr<Accelerator> build_accelerator(const Scene& scene);
 
 /// The oracle: tests every primitive of every node. Slow on purpose.

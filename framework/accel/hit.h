@@ -5,9 +5,9 @@
 
 #include <limits>
 
-// What a hit is: a function of ray and primitive, never of the path that found it. Every path (single
-// ray, packet, raster, another library) is a filter in front of the functions in this file: it may
-// keep too much, it never loses a candidate. closest_brute() in accelerator.h is the oracle.
+// What a hit is: a function of ray and primitive, never of the path that found it. Every path
+// (single ray, packet, raster, another library) is a filter in front of the functions in this file:
+// it may keep too much, it never loses a candidate. closest_brute() in accelerator.h is the oracle.
 namespace luch {
 
 /// A ray in the frame of a mesh, rounded to float once. All paths make it with object_ray().
@@ -33,8 +33,8 @@ struct Interval {
 inline constexpr float far_padding = 1 + 2 * (3 * 0x1p-24f) / (1 - 3 * 0x1p-24f);
 
 /// The one slab formula. Nested boxes give nested intervals exactly, since every operation is
-/// monotonic. A ray that runs in a face (0 · ∞ = NaN) counts as inside: comparisons with NaN are false
-/// and keep the old bound.
+/// monotonic. A ray that runs in a face (0 · ∞ = NaN) counts as inside: comparisons with NaN are
+/// false and keep the old bound.
 [[nodiscard]] inline Interval slab(const Box& box, const ObjectRay& ray) {
     Interval in{-std::numeric_limits<float>::infinity(), std::numeric_limits<float>::infinity()};
     for (int axis = 0; axis < 3; ++axis) {
@@ -50,8 +50,8 @@ inline constexpr float far_padding = 1 + 2 * (3 * 0x1p-24f) / (1 - 3 * 0x1p-24f)
     return in;
 }
 
-/// The sign of (a × b) · d: in float when the value exceeds its rounding bound, else in double, else
-/// 0. A sign that is not zero is never wrong.
+/// The sign of (a × b) · d: in float when the value exceeds its rounding bound, else in double,
+/// else 0. A sign that is not zero is never wrong.
 int edge_sign(const Vec3& a, const Vec3& b, const Vec3& d);
 
 /// t, u, v of a triangle that was hit.
@@ -59,10 +59,10 @@ struct TriangleHit {
     float t, u, v;
 };
 
-/// The one triangle test. A hit unless two edge signs are opposite (0 counts for both neighbours), so
-/// no ray slips between triangles that share an edge or a corner; n · d = 0 is a miss. t is clamped to
-/// the slab interval of the triangle's own box. A hit needs t_min < t < t_max.
-/// Returns false on a miss and leaves `hit` alone. `cull_backfaces` skips triangles with n · d > 0.
+/// The one triangle test. A hit unless two edge signs are opposite (0 counts for both neighbours),
+/// so no ray slips between triangles that share an edge or a corner; n · d = 0 is a miss. t is
+/// clamped to the slab interval of the triangle's own box. A hit needs t_min < t < t_max. Returns
+/// false on a miss and leaves `hit` alone. `cull_backfaces` skips triangles with n · d > 0.
 bool intersect_triangle(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
                         bool cull_backfaces, TriangleHit& hit);
 

@@ -11,8 +11,8 @@
 namespace luch {
 
 /// What a verb reads from the command line. A thin face over CLI11, whose header is slow to compile
-/// and is therefore named in arguments.cpp only. The variables must outlive the parsing; their values
-/// at the time of the call are the defaults.
+/// and is therefore named in arguments.cpp only. The variables must outlive the parsing; their
+/// values at the time of the call are the defaults.
 class Arguments {
  public:
     virtual ~Arguments() = default;

@@ -1,5 +1,5 @@
 #include "framework/apps/built_with.h"
-#include "framework/apps/machine.h"
+#include "framework/apps/hardware.h"
 #include "framework/apps/packages.h"
 #include "framework/apps/verbs.h"
 #include "framework/base/json.h"
@@ -14,7 +14,7 @@ namespace {
 struct Diagnosis {
     std::vector<Package> packages;
     bool knows_packages = false;  ///< False where there is no dpkg-query.
-    Machine machine;
+    Hardware hardware;
 
     [[nodiscard]] std::vector<std::string> lacking(Need need) const {
         return knows_packages ? missing(packages, need) : std::vector<std::string>{};
@@ -23,7 +23,7 @@ struct Diagnosis {
 };
 
 Diagnosis diagnosis() {
-    Diagnosis result{parsed_packages(package_list()), false, this_machine()};
+    Diagnosis result{parsed_packages(package_list()), false, this_hardware()};
     result.knows_packages = ask_dpkg(result.packages);
     return result;
 }
@@ -53,14 +53,14 @@ void print_build() {
     fmt::print("\nbuilt by   {}\nbuilt with {}\n", compiler(), fmt::join(names, ", "));
 }
 
-void print_machine(const Machine& machine) {
-    fmt::print("cores      {}\nmemory     {} MB\n", machine.cores, machine.memory_mb);
-    fmt::print("processor  {}\n", machine.levels.empty()
+void print_hardware(const Hardware& hardware) {
+    fmt::print("cores      {}\nmemory     {} MB\n", hardware.cores, hardware.memory_mb);
+    fmt::print("processor  {}\n", hardware.levels.empty()
                                       ? "no x86-64-v2"
-                                      : fmt::format("{}", fmt::join(machine.levels, ", ")));
-    fmt::print("display    {}\n", machine.display.empty()
+                                      : fmt::format("{}", fmt::join(hardware.levels, ", ")));
+    fmt::print("display    {}\n", hardware.display.empty()
                                       ? "none: luch view needs one, all else does not"
-                                      : machine.display);
+                                      : hardware.display);
 }
 
 /// How to get what is missing for `need`, when anything is.
@@ -109,10 +109,10 @@ Json to_json(const Diagnosis& found) {
         .set("missing", to_json(found.lacking(Need::build)))
         .set("compiler", compiler())
         .set("built_with", built_with)
-        .set("cores", found.machine.cores)
-        .set("memory_mb", found.machine.memory_mb)
-        .set("processor", to_json(found.machine.levels))
-        .set("display", found.machine.display);
+        .set("cores", found.hardware.cores)
+        .set("memory_mb", found.hardware.memory_mb)
+        .set("processor", to_json(found.hardware.levels))
+        .set("display", found.hardware.display);
 }
 
 class Doctor : public Verb {
@@ -132,7 +132,7 @@ class Doctor : public Verb {
         const Diagnosis found = diagnosis();
         print_packages(found);
         print_build();
-        print_machine(found.machine);
+        print_hardware(found.hardware);
         print_cures(found);
         if (!json_file_.empty()) to_json(found).write(json_file_);
         return found.healthy() ? 0 : 1;

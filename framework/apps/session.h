@@ -12,11 +12,11 @@ namespace luch {
 
 /// The options that every verb with a scene shares.
 struct SceneOptions {
-    std::string size;     ///< "WxH", "" as the scene says
+    std::string size;  ///< "WxH", "" as the scene says
     int spp = 0;
     int threads = 0;
     std::uint64_t seed = 0;
-    std::string camera;   ///< "x,y,z,yaw,pitch[,roll[,fov]]", "" as the scene says
+    std::string camera;  ///< "x,y,z,yaw,pitch[,roll[,fov]]", "" as the scene says
     std::string root;
     bool strict = false;
     bool no_skip = false;

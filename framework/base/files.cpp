@@ -15,8 +15,8 @@ std::string read_text(const std::filesystem::path& file, std::uintmax_t limit) {
         throw Error({file.string()}, "cannot be read (" + problem.message() + "); check the name");
     }
     if (size > limit) {
-        throw Error({file.string()}, "is " + std::to_string(size) + " bytes, more than the limit of " +
-                                         std::to_string(limit));
+        throw Error({file.string()}, "is " + std::to_string(size) +
+                                         " bytes, more than the limit of " + std::to_string(limit));
     }
     std::ifstream stream(file, std::ios::binary);
     std::string text(size, '\0');

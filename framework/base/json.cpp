@@ -46,6 +46,8 @@ std::string Json::text() const {
     return value_->json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-void Json::write(const std::filesystem::path& file) const { write_text(file, text()); }
+void Json::write(const std::filesystem::path& file) const {
+    write_text(file, text());
+}
 
 }  // namespace luch

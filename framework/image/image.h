@@ -9,8 +9,8 @@
 
 namespace luch {
 
-/// A view of a whole image: row-major, (0,0) is the top-left pixel. It owns nothing and never dangles
-/// past the call it was made for. ImageView<const T> only reads.
+/// A view of a whole image: row-major, (0,0) is the top-left pixel. It owns nothing and never
+/// dangles past the call it was made for. ImageView<const T> only reads.
 template <class T>
 class ImageView {
  public:

@@ -18,8 +18,8 @@ struct Picture {
 };
 
 /// Reads a picture; the ending decides the format. The header is checked against the limits (a side
-/// ≤ 16,384) before any pixel is read. Throws Error{file} when it is missing, truncated, too large or
-/// not a picture.
+/// ≤ 16,384) before any pixel is read. Throws Error{file} when it is missing, truncated, too large
+/// or not a picture.
 Picture read_picture(const std::filesystem::path& file);
 
 /// The same in linear light, whatever the file's encoding.
@@ -28,8 +28,8 @@ Image<Rgb> read_linear(const std::filesystem::path& file);
 /// The same as displayed: sRGB, 0..1; linear files are encoded and clamped.
 Image<Rgb> read_displayed(const std::filesystem::path& file);
 
-/// Writes linear light. .exr (half float) and .hdr stay linear; .png, .bmp and .jpg get the sRGB curve
-/// and 8 bits, rounded to nearest. Throws Error{file} on an unknown ending or a full disk.
+/// Writes linear light. .exr (half float) and .hdr stay linear; .png, .bmp and .jpg get the sRGB
+/// curve and 8 bits, rounded to nearest. Throws Error{file} on an unknown ending or a full disk.
 void write_picture(const std::filesystem::path& file, ImageView<const Rgb> linear);
 
 }  // namespace luch

@@ -8,8 +8,8 @@
 namespace luch {
 
 /// A ray in world or object space: the points origin + t · direction with t_min < t < t_max.
-/// The direction need not be of unit length; t is measured in its lengths, and is the same number in
-/// every space that the ray is transformed to.
+/// The direction need not be of unit length; t is measured in its lengths, and is the same number
+/// in every space that the ray is transformed to.
 struct Ray {
     Vec3d origin{0};
     Vec3d direction{0, 0, 1};

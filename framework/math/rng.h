@@ -6,10 +6,10 @@
 
 namespace luch {
 
-/// A counter-based random key. A number is hash(pixel, sample, path of branches, purpose): it depends
-/// on what it is for, never on how many were drawn before, so threads, tile order and stages that are
-/// left out cannot shift it. The mixing function is the 64-bit finaliser of SplitMix64
-/// (Steele, Lea, Flood 2014, variant 13 of Stafford).
+/// A counter-based random key. A number is hash(pixel, sample, path of branches, purpose): it
+/// depends on what it is for, never on how many were drawn before, so threads, tile order and
+/// stages that are left out cannot shift it. The mixing function is the 64-bit finaliser of
+/// SplitMix64 (Steele, Lea, Flood 2014, variant 13 of Stafford).
 class Key {
  public:
     Key() = default;
@@ -21,9 +21,7 @@ class Key {
         key.state_ = mixed(state_ ^ mixed(which + golden));
         return key;
     }
-    [[nodiscard]] std::uint64_t bits(std::uint64_t purpose) const {
-        return branch(purpose).state_;
-    }
+    [[nodiscard]] std::uint64_t bits(std::uint64_t purpose) const { return branch(purpose).state_; }
     /// In [0, 1), a multiple of 2⁻⁵³.
     [[nodiscard]] double uniform(std::uint64_t purpose) const {
         return static_cast<double>(bits(purpose) >> 11) * 0x1p-53;

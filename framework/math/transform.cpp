@@ -12,14 +12,16 @@ glm::dmat3 from_rows(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
     return glm::transpose(glm::dmat3(a, b, c));
 }
 
-double norm(const glm::dmat3& m) {
-    return max_norm(Vec3d(max_norm(m[0]), max_norm(m[1]), max_norm(m[2])));
+/// a · b where an infinite b is not spoilt by a zero a.
+double product(double a, double b) {
+    return a == 0 ? 0 : a * b;
 }
 
-/// a · b where an infinite b is not spoilt by a zero a.
-double product(double a, double b) { return a == 0 ? 0 : a * b; }
-
 }  // namespace
+
+double max_norm(const glm::dmat3& matrix) {
+    return max_norm(Vec3d(max_norm(matrix[0]), max_norm(matrix[1]), max_norm(matrix[2])));
+}
 
 Boxd Transform::box(const Boxd& b) const {
     if (b.empty()) return {};
@@ -37,19 +39,17 @@ Boxd Transform::box(const Boxd& b) const {
 
 Transform Transform::inverse() const {
     // Scaled to entries of about 1 first, so that uniform scales of 1e-30 or 1e30 are no trouble.
-    const double scale = norm(matrix);
+    const double scale = max_norm(matrix);
     const glm::dmat3 unit = matrix * (1 / scale);
     const double determinant = glm::determinant(unit);
     const glm::dmat3 back = glm::inverse(unit) * (1 / scale);
     // Above 1/ulp the inverse would hold no correct digit.
-    const double condition = norm(unit) * norm(back) * scale;
+    const double condition = max_norm(unit) * max_norm(back) * scale;
     if (!std::isfinite(scale) || !(std::abs(determinant) > 0) || !(condition < 1e15)) {
         throw std::domain_error("singular transform");
     }
     return {back, -(offset * back)};
 }
-
-double Transform::condition() const { return norm(matrix) * norm(inverse().matrix); }
 
 Transform Transform::scaling(const Vec3d& by) {
     return {from_rows({by.x, 0, 0}, {0, by.y, 0}, {0, 0, by.z}), Vec3d(0)};

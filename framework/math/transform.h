@@ -6,6 +6,9 @@
 
 namespace luch {
 
+/// The largest entry of a matrix, by its size.
+[[nodiscard]] double max_norm(const glm::dmat3& matrix);
+
 /// p' = p · matrix + offset, the course's row-vector convention, in double.
 /// glm stores columns, so `p * matrix` is the row vector times the matrix as written on paper.
 struct Transform {
@@ -28,9 +31,6 @@ struct Transform {
     }
     /// Throws std::domain_error when the matrix is singular or not finite.
     [[nodiscard]] Transform inverse() const;
-    /// max-norm of the matrix times that of its inverse: 1 for rotations, large for flat or sheared.
-    [[nodiscard]] double condition() const;
-
     static Transform translation(const Vec3d& by) { return {glm::dmat3(1), by}; }
     static Transform scaling(const Vec3d& by);
     /// Rz(roll) · Rx(pitch) · Ry(yaw), angles in radians, as scene-format documents it.

@@ -29,9 +29,9 @@ class Workers {
     [[nodiscard]] int count() const { return count_; }
 
     /// Calls work(tile, worker) for every tile of a frame, worker in [0, count()). Tiles are side ×
-    /// side pixels, smaller at the right and bottom edges. The first exception stops the tiles not yet
-    /// begun and is rethrown here, once; the pool stays usable. After `cancel`, tiles not yet begun
-    /// are skipped.
+    /// side pixels, smaller at the right and bottom edges. The first exception stops the tiles not
+    /// yet begun and is rethrown here, once; the pool stays usable. After `cancel`, tiles not yet
+    /// begun are skipped.
     void for_each_tile(Size size, int side, const std::function<void(Tile, int worker)>& work,
                        const CancelToken* cancel = nullptr) const;
 

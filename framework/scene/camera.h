@@ -28,13 +28,14 @@ struct Camera {
 };
 
 /// A camera's image plane at a frame size. The plane lies at distance 1 and spans ±aspect·m by ±m,
-/// m = tan(fov/2)/√(aspect² + 1). Pixel coordinates are continuous: (0, 0) is the top-left corner of
-/// the top-left pixel, (x + ½, y + ½) the centre of pixel (x, y).
+/// m = tan(fov/2)/√(aspect² + 1). Pixel coordinates are continuous: (0, 0) is the top-left corner
+/// of the top-left pixel, (x + ½, y + ½) the centre of pixel (x, y).
 class Screen {
  public:
     Screen(const Camera& camera, Size size);
 
-    /// The ray through a point of the screen (the course's getScreenRay); its direction has length 1.
+    /// The ray through a point of the screen (the course's getScreenRay); its direction has
+    /// length 1.
     [[nodiscard]] Ray ray(double x_px, double y_px) const;
 
     /// World to camera space: x right, y up, z forward, in the world's units.

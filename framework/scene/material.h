@@ -48,7 +48,8 @@ struct Const {
     Rgb color{0.5f};
 };
 
-/// The visible face of a RectLight: radiance on the side that it shines to (local −y), black behind.
+/// The visible face of a RectLight: radiance on the side that it shines to (local −y), black
+/// behind.
 struct Emission {
     Rgb radiance{0};
 };

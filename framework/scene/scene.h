@@ -14,7 +14,8 @@
 
 namespace luch {
 
-/// A geometry somewhere in the world, with a material. The visible faces of rect lights are nodes too.
+/// A geometry somewhere in the world, with a material. The visible faces of rect lights are nodes
+/// too.
 struct Node {
     std::string name;
     GeometryId geometry = 0;

@@ -41,7 +41,8 @@ Rgb colour_at(const Texture& texture, const Vec2d& uv);
 /// Zero for textures that are no bump.
 Vec2d tilt_at(const Texture& texture, const Vec2d& uv);
 
-/// The slopes of a height picture: a = I(x,y) − I(x+1,y), b = I(x,y) − I(x,y+1), indices wrap, I grey.
+/// The slopes of a height picture: a = I(x,y) − I(x+1,y), b = I(x,y) − I(x,y+1), indices wrap, I
+/// grey.
 Image<Vec2> slopes_of(ImageView<const Rgb> heights);
 
 }  // namespace luch

@@ -41,8 +41,8 @@ class Frame {
 
     [[nodiscard]] Size size() const { return colour.size(); }
 
-    /// The plane of that name, made (or, after a resize, made anew) when it is not there. References
-    /// stay valid until the frame is resized.
+    /// The plane of that name, made (or, after a resize, made anew) when it is not there.
+    /// References stay valid until the frame is resized.
     template <class T>
     Image<T>& plane(const std::string& name, PlaneKind kind, const std::string& unit = "",
                     float least = 0, float most = 1) {

@@ -24,15 +24,16 @@ struct Outcome {
     Plan plan;
     double prepare_ms = 0;
     std::vector<double> frame_ms;
-    double cpu_ms = 0;  ///< processor time of the median frame, all threads together
+    std::vector<double> cpu_ms;  ///< processor time of the same frames, all threads together
     int threads = 1;
-    Counts counts;      ///< of one frame
-    std::uint64_t bytes = 0;
+    Counts counts;            ///< of one frame
+    std::uint64_t bytes = 0;  ///< held by the accelerator
     NonFinite non_finite;
     std::vector<std::string> unwritten;  ///< tasks of a homework that fell back to the reference
     Frame frame{Size{}};
-
-    [[nodiscard]] double median_ms() const;
 };
+
+/// The middle value; 0 when there is none.
+double median(std::vector<double> values);
 
 }  // namespace luch

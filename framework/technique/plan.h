@@ -8,8 +8,8 @@ namespace luch {
 
 /// A part of a technique's work that a scene may not need.
 struct Stage {
-    /// How sure it is that leaving it out does no harm: `exact`, not a bit changes; `bounded`, by no
-    /// more than `bound`; `heuristic`, measured only.
+    /// How sure it is that leaving it out does no harm: `exact`, not a bit changes; `bounded`, by
+    /// no more than `bound`; `heuristic`, measured only.
     enum Kind { exact, bounded, heuristic };
     std::string name;
     bool needed = true;

@@ -15,15 +15,15 @@ struct Studio {
     const Workers& workers;
 };
 
-/// How often a frame is made. The viewer: {0, 1}. After a first frame of over 2 s at most 3 are made,
-/// over 30 s one.
+/// How often a frame is made. The viewer: {0, 1}. After a first frame of over 2 s at most 3 are
+/// made, over 30 s one.
 struct Repeat {
     int warm_up = 1;
     int frames = 7;
 };
 
-/// Plans, prepares and renders. The only place that takes time. When the plan does not apply, nothing
-/// is rendered: Outcome::plan says why and the frame is empty.
+/// Plans, prepares and renders. The only place that takes time. When the plan does not apply,
+/// nothing is rendered: Outcome::plan says why and the frame is empty.
 Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const Budget& budget = {},
             Repeat repeat = {}, const CancelToken* cancel = nullptr);
 

@@ -10,8 +10,8 @@ namespace luch {
 
 /// Why a ray was shot.
 enum class RayKind { primary, shadow, reflection, refraction, glossy, gi };
-inline constexpr std::array<std::string_view, 6> ray_kind_names{"primary",    "shadow", "reflection",
-                                                                "refraction", "glossy", "gi"};
+inline constexpr std::array<std::string_view, 6> ray_kind_names{
+    "primary", "shadow", "reflection", "refraction", "glossy", "gi"};
 
 /// What a frame cost, in numbers that do not depend on the machine (but for `work`).
 struct Counts {

@@ -20,8 +20,8 @@ class Tracer {
     void occluded(RayKind kind, std::span<const Ray> rays, std::span<std::uint8_t> blocked);
     [[nodiscard]] bool occluded(RayKind kind, const Ray& ray);
 
-    /// Rays against one given node each, without a search: object tests, not rays. A ray whose node is
-    /// no_node misses and costs nothing.
+    /// Rays against one given node each, without a search: object tests, not rays. A ray whose node
+    /// is no_node misses and costs nothing.
     void test(std::span<const NodeId> nodes, std::span<const Ray> rays, std::span<Hit> hits);
 
     [[nodiscard]] Counts& counts() { return counts_; }

@@ -7,12 +7,12 @@
 
 namespace luch {
 
-/// What the classic tracer needs for a scene. Leaving out what a scene does not need never changes a
-/// bit of the picture; with all true nothing is left out.
+/// What the classic tracer needs for a scene. Leaving out what a scene does not need never changes
+/// a bit of the picture; with all true nothing is left out.
 struct WhittedNeeds {
     SurfaceNeeds surface;
-    bool shadow_rays = true;  ///< false: no light could be blocked, none is asked for
-    bool dark_lights = true;  ///< true: shadow rays are shot even where n·l ≤ 0 or the light is black
+    /// True: shadow rays are shot even where n·l ≤ 0 or the light is black, and change nothing.
+    bool dark_shadow_rays = true;
 };
 
 /// The classic recursive ray tracer (Whitted, "An Improved Illumination Model for Shaded Display",
@@ -26,7 +26,8 @@ class Whitted {
     [[nodiscard]] Rgb radiance(RayKind kind, const Ray& ray, Key key, int depth = 0) const;
 
     /// The same, when the hit is known already (from a tile of primary rays, an item buffer…).
-    [[nodiscard]] Rgb shade(const Ray& ray, const Hit& hit, Key key, int depth = 0) const;
+    [[nodiscard]] Rgb shade(RayKind kind, const Ray& ray, const Hit& hit, Key key,
+                            int depth = 0) const;
 
  private:
     friend struct MaterialShader;

@@ -10,8 +10,8 @@
 namespace luch {
 
 struct LoadOptions {
-    /// Files outside this folder are refused. Empty: the working directory when the scene lies under
-    /// it, else the scene's own folder.
+    /// Files outside this folder are refused. Empty: the working directory when the scene lies
+    /// under it, else the scene's own folder.
     std::filesystem::path root;
     /// Warnings become errors.
     bool strict = false;

@@ -1,4 +1,4 @@
-#include "framework/apps/machine.h"
+#include "framework/apps/hardware.h"
 
 #include <unistd.h>
 
@@ -47,7 +47,7 @@ std::string display_name() {
 
 }  // namespace
 
-Machine this_machine() {
+Hardware this_hardware() {
     return {static_cast<int>(std::thread::hardware_concurrency()), physical_memory_mb(),
             processor_levels(), display_name()};
 }

@@ -1,0 +1,109 @@
+#include "framework/accel/hit.h"
+
+namespace luch {
+namespace {
+
+/// (a × b) · d in float with a bound on its rounding error.
+struct TripleProduct {
+    float value;
+    bool certain;  ///< the sign of value is that of the exact product
+};
+
+/// Five roundings lie on every path from an input to the result, so |error| ≤ γ₅ · Σ|products|
+/// (Higham, "Accuracy and Stability of Numerical Algorithms", 2002, ch. 3); 8u covers the rounding
+/// of the sum itself. The second term covers results that underflow, or are flushed to zero.
+TripleProduct triple_product(const Vec3& a, const Vec3& b, const Vec3& d) {
+    const float yz = a.y * b.z, zy = a.z * b.y;
+    const float zx = a.z * b.x, xz = a.x * b.z;
+    const float xy = a.x * b.y, yx = a.y * b.x;
+    const Vec3 size = glm::abs(d);
+    const float value = (yz - zy) * d.x + (zx - xz) * d.y + (xy - yx) * d.z;
+    const float products = (std::abs(yz) + std::abs(zy)) * size.x +
+                           (std::abs(zx) + std::abs(xz)) * size.y +
+                           (std::abs(xy) + std::abs(yx)) * size.z;
+    constexpr float smallest = std::numeric_limits<float>::min();
+    const float bound = 8 * 0x1p-24f * products + 8 * smallest * (1 + size.x + size.y + size.z);
+    return {value, std::abs(value) > bound};
+}
+
+/// The same in double: products of two floats are exact there.
+TripleProduct certain_triple_product(const Vec3d& a, const Vec3d& b, const Vec3d& d) {
+    const double yz = a.y * b.z, zy = a.z * b.y;
+    const double zx = a.z * b.x, xz = a.x * b.z;
+    const double xy = a.x * b.y, yx = a.y * b.x;
+    const double value = (yz - zy) * d.x + (zx - xz) * d.y + (xy - yx) * d.z;
+    const double products = (std::abs(yz) + std::abs(zy)) * std::abs(d.x) +
+                            (std::abs(zx) + std::abs(xz)) * std::abs(d.y) +
+                            (std::abs(xy) + std::abs(yx)) * std::abs(d.z);
+    const bool certain = std::abs(value) > 8 * 0x1p-53 * products;
+    return {static_cast<float>(value > 0 ? 1 : -1), certain};
+}
+
+/// The t at which a ray meets a triangle's plane; NaN where n · d = 0. In float when the signs of
+/// both numerator and denominator are certain, else in double.
+float plane_t(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
+              const Vec3& a0) {
+    const Vec3 edge1 = p1 - p0, edge2 = p2 - p0;
+    const TripleProduct above = triple_product(edge1, edge2, a0);
+    const TripleProduct along = triple_product(edge1, edge2, ray.direction);
+    if (above.certain && along.certain) return above.value / along.value;
+    const Vec3d normal = glm::cross(Vec3d(p1) - Vec3d(p0), Vec3d(p2) - Vec3d(p0));
+    const double slope = glm::dot(normal, Vec3d(ray.direction));
+    if (slope == 0) return std::numeric_limits<float>::quiet_NaN();
+    return static_cast<float>(glm::dot(normal, Vec3d(p0) - Vec3d(ray.origin)) / slope);
+}
+
+float sum_of_products(const Vec3& a, const Vec3& b, const Vec3& d) {
+    return (a.y * b.z - a.z * b.y) * d.x + (a.z * b.x - a.x * b.z) * d.y +
+           (a.x * b.y - a.y * b.x) * d.z;
+}
+
+/// part/whole within 0..limit; 0 where it cannot be said.
+float share(float part, float whole, float limit) {
+    const float share = part / whole;
+    return share > 0 ? std::min(share, limit) : 0;
+}
+
+}  // namespace
+
+ObjectRay object_ray(const Ray& ray) {
+    const Vec3 direction(ray.direction);
+    return {Vec3(ray.origin), direction, 1.0f / direction, ray.t_min, ray.t_max};
+}
+
+int edge_sign(const Vec3& a, const Vec3& b, const Vec3& d) {
+    TripleProduct product = triple_product(a, b, d);
+    if (!product.certain) product = certain_triple_product(Vec3d(a), Vec3d(b), Vec3d(d));
+    if (!product.certain) return 0;
+    return product.value > 0 ? 1 : -1;
+}
+
+bool intersect_triangle(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
+                        bool cull_backfaces, TriangleHit& hit) {
+    const Vec3 a0 = p0 - ray.origin, a1 = p1 - ray.origin, a2 = p2 - ray.origin;
+    const int sign0 = edge_sign(a1, a2, ray.direction);
+    const int sign1 = edge_sign(a2, a0, ray.direction);
+    if (sign0 * sign1 < 0) return false;
+    const int sign2 = edge_sign(a0, a1, ray.direction);
+    const int side = sign0 + sign1 + sign2;
+    if (sign0 * sign2 < 0 || sign1 * sign2 < 0 || side == 0) return false;
+    if (cull_backfaces && side > 0) return false;
+
+    Box box{p0, p0};
+    box.grow(p1);
+    box.grow(p2);
+    const Interval inside = slab(box, ray);
+    if (!(inside.near <= inside.far)) return false;
+    const float t = std::clamp(plane_t(ray, p0, p1, p2, a0), inside.near, inside.far);
+    if (!(t > ray.t_min && t < ray.t_max)) return false;
+
+    const float weight0 = sum_of_products(a1, a2, ray.direction);
+    const float weight1 = sum_of_products(a2, a0, ray.direction);
+    const float weight2 = sum_of_products(a0, a1, ray.direction);
+    const float whole = weight0 + weight1 + weight2;
+    const float u = share(weight1, whole, 1);
+    hit = {t, u, share(weight2, whole, 1 - u)};
+    return true;
+}
+
+}  // namespace luch

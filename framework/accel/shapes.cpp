@@ -1,0 +1,66 @@
+#include "framework/accel/shapes.h"
+
+namespace luch {
+namespace {
+
+/// Whether a t counts, judged by the float that will be kept.
+bool within(double t, const Ray& ray) {
+    const auto kept = static_cast<float>(t);
+    return kept > ray.t_min && kept < ray.t_max;
+}
+
+}  // namespace
+
+std::optional<ShapeHit> intersect(const Plane& plane, const Ray& ray) {
+    if (ray.direction.y == 0) return std::nullopt;
+    const double t = (plane.y - ray.origin.y) / ray.direction.y;
+    if (!within(t, ray)) return std::nullopt;
+    const Vec3d p = ray.at(t);
+    if (!(std::abs(p.x) <= plane.limit && std::abs(p.z) <= plane.limit)) return std::nullopt;
+    return ShapeHit{t, 0};
+}
+
+// The discriminant comes from the perpendicular distance of centre and ray, and the near root from
+// the product of both, so that neither a small sphere far away nor a huge one close by loses its
+// digits (Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems,
+// 2019).
+std::optional<ShapeHit> intersect(const Sphere& sphere, const Ray& ray) {
+    const Vec3d from_centre = ray.origin - sphere.centre;
+    const double a = glm::dot(ray.direction, ray.direction);
+    const double half_b = -glm::dot(from_centre, ray.direction);
+    const Vec3d perpendicular = from_centre + (half_b / a) * ray.direction;
+    const double discriminant =
+        sphere.radius * sphere.radius - glm::dot(perpendicular, perpendicular);
+    if (!(discriminant >= 0)) return std::nullopt;
+    const double distance = glm::length(from_centre);
+    const double product = (distance - sphere.radius) * (distance + sphere.radius);
+    const double q = half_b + std::copysign(std::sqrt(a * discriminant), half_b);
+    const double one = q / a, other = q != 0 ? product / q : one;
+    const double near = std::min(one, other), far = std::max(one, other);
+    if (within(near, ray)) return ShapeHit{near, 0};
+    if (within(far, ray)) return ShapeHit{far, 0};
+    return std::nullopt;
+}
+
+std::optional<ShapeHit> intersect(const Cube& cube, const Ray& ray) {
+    const Boxd box = bounds_of(cube);
+    ShapeHit in{-std::numeric_limits<double>::infinity(), 0};
+    ShapeHit out{std::numeric_limits<double>::infinity(), 0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool negative = std::signbit(ray.direction[axis]);
+        const double inverse = 1 / ray.direction[axis];
+        const double first = negative ? box.hi[axis] : box.lo[axis];
+        const double last = negative ? box.lo[axis] : box.hi[axis];
+        const double near = (first - ray.origin[axis]) * inverse;
+        const double far = (last - ray.origin[axis]) * inverse;
+        // A ray that runs in a face gives 0 · ∞ = NaN, which no comparison takes.
+        if (near > in.t) in = {near, 2u * axis + (negative ? 1u : 0u)};
+        if (far < out.t) out = {far, 2u * axis + (negative ? 0u : 1u)};
+    }
+    if (!(in.t <= out.t)) return std::nullopt;
+    if (within(in.t, ray)) return in;
+    if (within(out.t, ray)) return out;
+    return std::nullopt;
+}
+
+}  // namespace luch

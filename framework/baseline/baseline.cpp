@@ -1,0 +1,35 @@
+#include "framework/baseline/classic.h"
+#include "framework/technique/catalogue.h"
+
+namespace luch::baseline {
+namespace {
+
+/// The classic ray tracer: what every technique is compared with.
+class Baseline final : public Technique {
+ public:
+    Plan plan(const Scene& scene, const Shot& shot) const override {
+        return {.applies = true, .why = "", .stages = classic_stages(scene, shot)};
+    }
+
+    void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
+        const WhittedNeeds needs = whitted_needs(context.plan());
+        const auto colour = frame.colour.view();
+        context.for_each_tile(shot.size, [&](Tile tile, int worker) {
+            trace_tile(scene, shot, tile, needs, context.tracer(worker), colour);
+        });
+        if (context.plan().needed("anti-aliasing") && shot.spp == 0) {
+            antialias(scene, shot, needs, context, colour);
+        }
+    }
+};
+
+}  // namespace
+
+TechniqueInfo describe() {
+    return {.name = "baseline",
+            .title = "the classic ray tracer",
+            .topic = "1. classic ray tracing",
+            .create = []() -> std::unique_ptr<Technique> { return std::make_unique<Baseline>(); }};
+}
+
+}  // namespace luch::baseline

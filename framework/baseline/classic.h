@@ -1,0 +1,33 @@
+#pragma once
+
+#include "framework/technique/context.h"
+#include "framework/technique/technique.h"
+#include "framework/trace/whitted.h"
+
+namespace luch {
+
+/// The stages of classic ray tracing and which of them a scene does not need. A technique that
+/// shades as the baseline does starts its plan with these.
+std::vector<Stage> classic_stages(const Scene& scene, const Shot& shot);
+
+/// The same as switches for the hot code.
+WhittedNeeds whitted_needs(const Plan& plan);
+
+/// The key of a sample: all randomness of a pixel comes from it.
+Key sample_key(const Shot& shot, int x, int y, int sample);
+
+/// Where a sample lies, in pixel coordinates: the centre with one sample a pixel (or with the
+/// scene's own anti-aliasing), else uniformly random over the pixel.
+Vec2d sample_position(const Shot& shot, int x, int y, int sample);
+
+/// Fills a tile with the mean of all of a pixel's samples, hits found by tracing.
+void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
+                Tracer& tracer, ImageView<Rgb> colour);
+
+/// The scene's own anti-aliasing, as the course has it: where a pixel or a neighbour differs from
+/// the mean of the five by more than 0.1 in a displayed channel, four more samples are taken around
+/// the centre. A heuristic: an edge that no pixel's centre saw stays jagged.
+void antialias(const Scene& scene, const Shot& shot, const WhittedNeeds& needs, Context& context,
+               ImageView<Rgb> colour);
+
+}  // namespace luch

@@ -1,0 +1,73 @@
+#include "framework/technique/run.h"
+
+#include "framework/technique/context.h"
+
+#include <chrono>
+#include <ctime>
+
+namespace luch {
+namespace {
+
+/// Wall and processor time since it was made.
+class Stopwatch {
+ public:
+    [[nodiscard]] double wall_ms() const {
+        const auto passed = std::chrono::steady_clock::now() - wall_;
+        return std::chrono::duration<double, std::milli>(passed).count();
+    }
+    [[nodiscard]] double cpu_ms() const { return process_ms() - cpu_; }
+
+ private:
+    static double process_ms() {
+        timespec now{};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+        return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+    }
+    std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+    double cpu_ = process_ms();
+};
+
+/// How many frames in all, once the time of one is known.
+int frames_worth(int asked, double first_ms) {
+    if (first_ms > 30'000) return 1;
+    return first_ms > 2'000 ? std::min(asked, 3) : asked;
+}
+
+}  // namespace
+
+Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const Budget& budget,
+            Repeat repeat, const CancelToken* cancel) {
+    Outcome outcome;
+    outcome.plan = technique.plan(studio.scene, shot);
+    if (!budget.skip) outcome.plan.need_all();
+    outcome.threads = studio.workers.count();
+    if (!outcome.plan.applies) return outcome;
+
+    Context context(studio.accelerator, studio.workers, outcome.plan, budget, cancel);
+    outcome.frame = Frame(shot.size);
+    const Stopwatch preparing;
+    technique.prepare(studio.scene, shot, context);
+    outcome.prepare_ms = preparing.wall_ms();
+    context.take_counts();
+
+    // A warm-up frame is timed like any other, to know how many are worth making; a slow one
+    // counts.
+    int wanted = repeat.frames;
+    for (int made = -repeat.warm_up; made < wanted && !context.cancelled(); ++made) {
+        const Stopwatch frame;
+        technique.render(studio.scene, shot, outcome.frame, context);
+        const double wall = frame.wall_ms(), cpu = frame.cpu_ms();
+        outcome.counts = context.take_counts();
+        wanted = frames_worth(wanted, wall);
+        if (made < 0 && wanted > 1) continue;
+        if (made < 0) made = 0;
+        outcome.frame_ms.push_back(wall);
+        outcome.cpu_ms.push_back(cpu);
+    }
+    outcome.non_finite = non_finite_pixels(outcome.frame.colour.view());
+    outcome.unwritten.assign(context.unwritten().begin(), context.unwritten().end());
+    outcome.bytes = studio.accelerator.bytes();
+    return outcome;
+}
+
+}  // namespace luch

@@ -1,0 +1,9 @@
+#include "framework/technique/technique.h"
+
+namespace luch {
+
+Shot shot_of(const Scene& scene) {
+    return {.camera = scene.camera, .size = scene.settings.frame, .gaze = {}};
+}
+
+}  // namespace luch
