@@ -122,8 +122,9 @@ class Doctor : public Verb {
         return "what is installed here, what each thing is for, and how to get the rest";
     }
     std::string_view examples() const override {
-        return "luch doctor                    # a table; exit status 1 when something is missing\n"
-               "luch doctor --json doctor.json # the same for a machine\n";
+        return "  luch doctor                    a table; exit status 1 when something required is "
+               "missing\n"
+               "  luch doctor --json doctor.json the same for a machine\n";
     }
     void declare(Arguments& arguments) override {
         arguments.option("--json", json_file_, "FILE", "also write the findings as JSON");

@@ -23,7 +23,7 @@ class Copy {
         for (const char* name : {"CMakeLists.txt", "CMakePresets.json"}) {
             fs::copy(source / name, root_ / name);
         }
-        for (const char* top : {"framework", "techniques", "homework", "tests"}) {
+        for (const char* top : {"framework", "techniques", "homework", "scenes", "tests"}) {
             if (fs::exists(source / top)) {
                 fs::copy(source / top, root_ / top, fs::copy_options::recursive);
             }
@@ -95,6 +95,11 @@ const auto planted = testing::Values(
             include("homework/vista/steps.h"), "techniques/vista may not include homework/vista"},
     Planted{"HomeworkKnowsAnotherTechnique", "homework/vista/planted.cpp",
             include("techniques/ssao/ssao.h"), "homework/vista may not include techniques/ssao"},
+    Planted{"TechniqueKnowsAScene", "techniques/vista/planted.cpp",
+            include("scenes/generator/noise.h"),
+            "techniques/vista may not include scenes/generator"},
+    Planted{"FrameworkKnowsAScene", "framework/scene/planted.cpp",
+            include("scenes/generator/noise.h"), "the framework knows no scenes"},
     Planted{"HeavyHeaderInTheWrongFile", "framework/accel/planted.cpp",
             "#include <nlohmann/json.hpp>\n",
             "nlohmann/json.hpp may be named only in framework/base/json.cpp"},
