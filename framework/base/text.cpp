@@ -54,7 +54,9 @@ std::string did_you_mean(std::string_view wanted, std::span<const std::string_vi
 std::string listed(std::span<const std::string> words, std::string_view conjunction) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 == words.size() ? " " + std::string(conjunction) + " " : ", ";
+        const bool is_last = i + 1 == words.size();
+        if (i > 0) text.append(is_last ? " " : ", ");
+        if (i > 0 && is_last) text.append(conjunction).append(" ");
         text += words[i];
     }
     return text;
@@ -85,7 +87,7 @@ std::vector<std::string> split(std::string_view text, char separator) {
 }
 
 std::optional<double> parsed_number(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
+    if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto [stop, problem] = std::from_chars(text.data(), end, value);

@@ -17,6 +17,9 @@ struct Picture {
     Encoding encoding = Encoding::linear;  ///< srgb for .png .bmp .jpg .jpeg .tga, else linear
 };
 
+/// Width and height by the file's header, under the same checks and errors as read_picture().
+Size picture_size(const std::filesystem::path& file);
+
 /// Reads a picture; the ending decides the format. The header is checked against the limits (a side
 /// ≤ 16,384) before any pixel is read. Throws Error{file} when it is missing, truncated, too large
 /// or not a picture.

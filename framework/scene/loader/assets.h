@@ -1,0 +1,36 @@
+#pragma once
+
+#include "framework/image/image.h"
+#include "framework/math/colour.h"
+#include "framework/scene/loader/loader.h"
+#include "framework/scene/loader/properties.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace luch::loader {
+
+/// The files that a scene names: where they may lie, and how much they may hold.
+class Assets {
+ public:
+    Assets(const std::filesystem::path& scene, const LoadOptions& options);
+
+    /// The path that a property names, relative to the scene file. Throws Error when it is absolute
+    /// or leads out of the root, also over a link.
+    std::filesystem::path path(Properties& block, const Property& property) const;
+
+    /// A picture's numbers, decoded with the gamma that the scene assumes for it: 1 leaves them as
+    /// they are, 2.2 means the sRGB curve, anything else is a power. All pictures of a scene
+    /// together hold at most 256 megapixels.
+    Image<Rgb> picture(const std::filesystem::path& file, double gamma, const Place& place);
+
+ private:
+    [[nodiscard]] bool inside_root(const std::filesystem::path& file) const;
+
+    std::filesystem::path folder_;  ///< the scene's, as the user spelt it
+    std::filesystem::path root_;    ///< canonical
+    std::uintmax_t pixels_ = 0;
+};
+
+}  // namespace luch::loader

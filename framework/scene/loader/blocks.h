@@ -1,0 +1,55 @@
+#pragma once
+
+#include "framework/scene/loader/assets.h"
+#include "framework/scene/loader/names.h"
+#include "framework/scene/scene.h"
+
+#include <vector>
+
+/// One function a class of block; each adds what it reads to the scene. Geometries, textures and
+/// shaders are read before all others, so their indices are those of the NameTable.
+namespace luch::loader {
+
+/// A scene half-way.
+struct Loading {
+    Diagnostics& diagnostics;
+    Assets assets;
+    NameTable names;
+    Scene scene;
+    std::vector<int> material_lines;  ///< of Scene::materials
+    bool has_settings = false;
+    bool has_camera = false;
+};
+
+// settings.cpp
+void read_settings(Properties& block, Loading& loading);
+void read_camera(Properties& block, Loading& loading);
+
+// textures.cpp
+void read_checker(Properties& block, Loading& loading);
+void read_bitmap(Properties& block, Loading& loading);
+void read_bump(Properties& block, Loading& loading);
+void read_cubemap(Properties& block, Loading& loading);
+
+// geometries.cpp
+void read_plane(Properties& block, Loading& loading);
+void read_sphere(Properties& block, Loading& loading);
+void read_cube(Properties& block, Loading& loading);
+void read_mesh(Properties& block, Loading& loading);
+
+// materials.cpp
+void read_lambert(Properties& block, Loading& loading);
+void read_phong(Properties& block, Loading& loading);
+void read_reflection(Properties& block, Loading& loading);
+void read_layered(Properties& block, Loading& loading);
+void read_const(Properties& block, Loading& loading);
+/// Throws Error when layers contain themselves, are nested deeper than 256, or unfold to more than
+/// 4,096 shaders.
+void check_layers(const Loading& loading);
+
+// nodes.cpp
+void read_point_light(Properties& block, Loading& loading);
+void read_rect_light(Properties& block, Loading& loading);
+void read_node(Properties& block, Loading& loading);
+
+}  // namespace luch::loader

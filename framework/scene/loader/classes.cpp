@@ -1,0 +1,78 @@
+#include "framework/scene/loader/classes.h"
+
+#include "framework/base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace luch::loader {
+namespace {
+
+constexpr BlockClass classes[] = {
+    {"GlobalSettings", Kind::other, read_settings},
+    {"Camera", Kind::other, read_camera},
+    {"PointLight", Kind::other, read_point_light},
+    {"RectLight", Kind::other, read_rect_light},
+    {"Plane", Kind::geometry, read_plane},
+    {"Sphere", Kind::geometry, read_sphere},
+    {"Cube", Kind::geometry, read_cube},
+    {"Mesh", Kind::geometry, read_mesh},
+    {"Lambert", Kind::shader, read_lambert},
+    {"Phong", Kind::shader, read_phong},
+    {"Reflection", Kind::shader, read_reflection},
+    {"Refl", Kind::shader, read_reflection},
+    {"Layered", Kind::shader, read_layered},
+    {"Const", Kind::shader, read_const},
+    {"CheckerTexture", Kind::texture, read_checker},
+    {"Checker", Kind::texture, read_checker},
+    {"BitmapTexture", Kind::texture, read_bitmap},
+    {"BumpTexture", Kind::texture, read_bump},
+    {"CubemapEnvironment", Kind::other, read_cubemap},
+    {"Node", Kind::node, read_node},
+};
+
+constexpr std::string_view not_read_yet[] = {
+    "CSGUnion",
+    "CSGInter",
+    "CSGDiff",
+    "CsgUnion",
+    "CsgInter",
+    "CsgDiff",
+    "CsgPlus",
+    "CsgAnd",
+    "CsgMinus",
+    "Heightfield",
+    "Refraction",
+    "Refr",
+    "Bumps",
+    "Fresnel",
+    "SpotLight",
+    "DirectionalLight",
+    "FisheyeCamera",
+    "SphericalCamera",
+    "OrthographicCamera",
+    "ConstantEnvironment",
+};
+
+}  // namespace
+
+const BlockClass& class_of(const Block& block, const Diagnostics& diagnostics) {
+    std::vector<std::string_view> names;
+    for (const BlockClass& candidate : classes) {
+        if (candidate.name == block.class_name) return candidate;
+        names.push_back(candidate.name);
+    }
+    if (std::find(std::begin(not_read_yet), std::end(not_read_yet), block.class_name) !=
+        std::end(not_read_yet)) {
+        diagnostics.fail(block.line, fmt::format("{} is part of the format, but this version does "
+                                                 "not read it yet; remove the block and what "
+                                                 "refers to it",
+                                                 block.class_name));
+    }
+    const auto wanted = std::string_view(block.class_name).substr(0, 64);
+    diagnostics.fail(block.line, fmt::format("there is no class {}; {}", shown(block.class_name),
+                                             did_you_mean(wanted, names)));
+}
+
+}  // namespace luch::loader

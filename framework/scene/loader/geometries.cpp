@@ -1,0 +1,59 @@
+#include "framework/base/text.h"
+#include "framework/scene/loader/blocks.h"
+#include "framework/scene/loader/obj.h"
+
+#include <fmt/format.h>
+
+namespace luch::loader {
+
+void read_plane(Properties& block, Loading& loading) {
+    Plane plane;
+    plane.y = block.number("y", plane.y);
+    plane.limit = block.number("limit", plane.limit, positive);
+    loading.scene.geometries.emplace_back(plane);
+}
+
+void read_sphere(Properties& block, Loading& loading) {
+    Sphere sphere;
+    sphere.centre = block.vector("O", sphere.centre);
+    sphere.radius = block.number("R", sphere.radius, positive);
+    sphere.uv_scaling = block.number("uvscaling", sphere.uv_scaling);
+    loading.scene.geometries.emplace_back(sphere);
+}
+
+void read_cube(Properties& block, Loading& loading) {
+    Cube cube;
+    cube.centre = block.vector("O", cube.centre);
+    // The older dialects give half of the edge.
+    const Property* half = block.find("halfSide");
+    cube.side =
+        block.number("side", half ? 2 * block.number(*half, positive) : cube.side, positive);
+    loading.scene.geometries.emplace_back(cube);
+}
+
+void read_mesh(Properties& block, Loading& loading) {
+    const Property& property = block.required("file");
+    const std::filesystem::path file = loading.assets.path(block, property);
+    ObjOptions options;
+    options.faceted = block.flag("faceted", options.faceted);
+    options.auto_smooth = block.flag("autoSmooth", options.auto_smooth);
+    options.recenter = block.flag("recenter", options.recenter);
+    const bool cull = block.flag("backfaceCulling", false);
+    block.accept({"useKDTree"});
+
+    const Place place = loading.diagnostics.place(property.line);
+    const std::string ending = lower(file.extension().string());
+    if (ending == ".glb" || ending == ".gltf") {
+        throw Error(place,
+                    "glTF meshes are part of the format, but this version does not read "
+                    "them yet; save the mesh as .obj");
+    }
+    if (!std::filesystem::is_regular_file(file)) {
+        throw Error(place, fmt::format("{}: does not exist; check the name", file.string()));
+    }
+    Mesh mesh = read_obj(file, options, loading.diagnostics);
+    mesh.cull_backfaces = cull;
+    loading.scene.geometries.emplace_back(std::move(mesh));
+}
+
+}  // namespace luch::loader

@@ -1,0 +1,71 @@
+#include "framework/scene/texture.h"
+
+#include <cmath>
+
+namespace luch {
+namespace {
+
+/// The part after the floor, in [0, 1); 0 where there is none (an infinite or NaN coordinate).
+double frac(double x) {
+    const double part = x - std::floor(x);
+    return part < 1 ? part : 0;
+}
+
+/// The pixel at (s·W, t·H) of an image that repeats: bilinear between the pixel there and its right
+/// and lower neighbours, without the half-texel shift.
+template <class T>
+T sampled(const Image<T>& image, double s, double t) {
+    if (image.size().area() == 0) return T(0);
+    const double x = frac(s) * image.width();
+    const double y = frac(t) * image.height();
+    const int x0 = static_cast<int>(x) % image.width();
+    const int y0 = static_cast<int>(y) % image.height();
+    const int x1 = (x0 + 1) % image.width();
+    const int y1 = (y0 + 1) % image.height();
+    const auto fx = static_cast<float>(x - std::floor(x));
+    const auto fy = static_cast<float>(y - std::floor(y));
+    return (image(x0, y0) * (1 - fx) + image(x1, y0) * fx) * (1 - fy) +
+           (image(x0, y1) * (1 - fx) + image(x1, y1) * fx) * fy;
+}
+
+Rgb colour_of(const CheckerTexture& checker, const Vec2d& uv) {
+    const double squares = std::floor(uv.x / checker.scaling) + std::floor(uv.y / checker.scaling);
+    return std::fmod(squares, 2) == 0 ? checker.color1 : checker.color2;
+}
+Rgb colour_of(const BitmapTexture& bitmap, const Vec2d& uv) {
+    return sampled(bitmap.pixels, uv.x / bitmap.scaling, uv.y / bitmap.scaling);
+}
+Rgb colour_of(const BumpTexture&, const Vec2d&) {
+    return Rgb(0);
+}
+
+}  // namespace
+
+Rgb colour_at(const Texture& texture, const Vec2d& uv) {
+    return std::visit([&](const auto& kind) { return colour_of(kind, uv); }, texture);
+}
+
+Vec2d tilt_at(const Texture& texture, const Vec2d& uv) {
+    const auto* bump = std::get_if<BumpTexture>(&texture);
+    if (!bump) return Vec2d(0);
+    return bump->strength *
+           Vec2d(sampled(bump->slopes, uv.x * bump->scaling, uv.y * bump->scaling));
+}
+
+Image<Vec2> slopes_of(ImageView<const Rgb> heights) {
+    const auto [width, height] = heights.size();
+    const auto grey = [&](int x, int y) {
+        const Rgb& pixel = heights(x, y);
+        return (pixel.r + pixel.g + pixel.b) / 3;
+    };
+    Image<Vec2> slopes(heights.size());
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const float here = grey(x, y);
+            slopes(x, y) = {here - grey((x + 1) % width, y), here - grey(x, (y + 1) % height)};
+        }
+    }
+    return slopes;
+}
+
+}  // namespace luch

@@ -1,0 +1,158 @@
+#include "framework/accel/accelerator.h"
+
+#include "framework/math/rng.h"
+#include "tests/testing/everything.h"
+#include "tests/testing/meshes.h"
+#include "tests/testing/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace luch {
+namespace {
+
+Vec3d random_point(Key key, double size) {
+    return size * (2.0 * Vec3d(key.uniform(0), key.uniform(1), key.uniform(2)) - 1.0);
+}
+
+/// A point of the scene that rays like to go wrong at: a corner or an edge of a mesh's triangle, or
+/// the centre of another shape.
+Vec3d awkward_point(const Scene& scene, Key key) {
+    const Node& node = scene.nodes[key.bits(0) % scene.nodes.size()];
+    const auto* mesh = std::get_if<Mesh>(&scene.geometries[node.geometry]);
+    if (mesh == nullptr) return node.to_world.point(random_point(key.branch(1), 1));
+    const auto triangle = static_cast<std::uint32_t>(key.bits(2) % mesh->triangles.size());
+    const Vec3d a(mesh->corner(triangle, 0)), b(mesh->corner(triangle, 1));
+    const double along = key.bits(3) % 2 == 0 ? 0 : key.uniform(4);
+    return node.to_world.point(a + along * (b - a));
+}
+
+std::vector<Ray> random_and_aimed_rays(const Scene& scene, int count) {
+    std::vector<Ray> rays;
+    for (int i = 0; i < count; ++i) {
+        const Key key = Key(5).branch(i);
+        Ray ray{random_point(key.branch(0), 15), random_point(key.branch(1), 1)};
+        if (i % 2 == 1) ray.direction = awkward_point(scene, key.branch(2)) - ray.origin;
+        if (i % 8 == 5) ray.t_max = static_cast<float>(key.uniform(6));
+        if (i % 8 == 7) ray.t_min = static_cast<float>(key.uniform(7));
+        if (i % 16 == 3) ray.direction[key.bits(8) % 3] = 0;
+        rays.push_back(ray);
+    }
+    return rays;
+}
+
+TEST(Accelerator, FindsTheSameHitAsBruteForceInEveryBit) {
+    const Scene scene = testing::bit_of_everything();
+    const auto accelerator = build_accelerator(scene);
+    WorkCounts work;
+    int hits = 0;
+    for (const Ray& ray : random_and_aimed_rays(scene, 100'000)) {
+        const Hit hit = accelerator->closest(ray, work);
+        ASSERT_EQ(hit, closest_brute(scene, ray))
+            << "origin " << ray.origin.x << " " << ray.origin.y << " " << ray.origin.z;
+        ASSERT_EQ(accelerator->occluded(ray, work), static_cast<bool>(hit));
+        hits += hit ? 1 : 0;
+    }
+    EXPECT_GT(hits, 30'000);
+    EXPECT_LT(work.primitives, 100'000u * 2 * 100);  // brute force would be 600 a ray
+}
+
+TEST(Accelerator, FindsWhatOneNodeAloneWouldGive) {
+    const Scene scene = testing::bit_of_everything();
+    const auto accelerator = build_accelerator(scene);
+    WorkCounts work;
+    for (const Ray& ray : random_and_aimed_rays(scene, 2'000)) {
+        Hit best = Hit{.t = ray.t_max};
+        for (NodeId node = 0; node < scene.nodes.size(); ++node) {
+            const Hit hit = accelerator->closest_in(node, ray, work);
+            if (hit && nearer(hit, best)) best = hit;
+        }
+        ASSERT_EQ(best ? best : Hit{}, accelerator->closest(ray, work));
+    }
+}
+
+TEST(Accelerator, PrefersTheFirstNodeAndTriangleAtEqualDistance) {
+    Scene scene = testing::empty_scene();
+    for (int i = 0; i < 3; ++i) {
+        Mesh twice = testing::triangle({-1, -1, 5}, {1, -1, 5}, {0, 1, 5});
+        twice.triangles.push_back(twice.triangles[0]);
+        testing::add(scene, twice, Lambert{});
+    }
+    WorkCounts work;
+    const Hit hit = build_accelerator(scene)->closest({{0, 0, 0}, {0, 0, 1}}, work);
+    EXPECT_EQ(hit.node, 0u);
+    EXPECT_EQ(hit.primitive, 0u);
+}
+
+TEST(Accelerator, MissesInAnEmptyScene) {
+    const Scene scene = testing::empty_scene();
+    WorkCounts work;
+    EXPECT_EQ(build_accelerator(scene)->closest({{0, 0, 0}, {0, 0, 1}}, work), Hit{});
+    EXPECT_FALSE(build_accelerator(scene)->occluded({{0, 0, 0}, {0, 0, 1}}, work));
+}
+
+TEST(Accelerator, MissesForRaysThatAreNoRays) {
+    const Scene scene = testing::bit_of_everything();
+    const auto accelerator = build_accelerator(scene);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    constexpr float nanf = std::numeric_limits<float>::quiet_NaN();
+    const Vec3d o{0, 3, -10}, d{0, 0, 1};
+    const std::vector<Ray> rays{
+        {{nan, 0, 0}, d},    {{inf, 0, 0}, d}, {o, {nan, 0, 1}}, {o, {0, inf, 1}}, {o, {0, 0, 0}},
+        {o, d, nanf, 1e30f}, {o, d, 0, nanf},  {o, d, 0, -1},    {o, d, 2, 1},
+    };
+    WorkCounts work;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        EXPECT_EQ(accelerator->closest(rays[i], work), Hit{}) << i;
+        EXPECT_EQ(closest_brute(scene, rays[i]), Hit{}) << i;
+        EXPECT_FALSE(accelerator->occluded(rays[i], work)) << i;
+    }
+}
+
+TEST(Accelerator, FindsTheSameHitsFarFromTheOriginAndAtEveryScale) {
+    for (const double scale : {1e-20, 1e-3, 1e6, 1e20}) {
+        const Transform moved = Transform::scaling(Vec3d(scale));
+        Scene scene = testing::empty_scene();
+        testing::add(scene, testing::uv_sphere(8, 12, 1), Lambert{}, moved);
+        const auto accelerator = build_accelerator(scene);
+        WorkCounts work;
+        for (int i = 0; i < 500; ++i) {
+            const Ray ray{scale * random_point(Key(8).branch(i), 3),
+                          random_point(Key(9).branch(i), 1)};
+            ASSERT_EQ(accelerator->closest(ray, work), closest_brute(scene, ray));
+        }
+        const Ray through{{0, 0, -5 * scale}, {0, 0, 1}};
+        ASSERT_TRUE(accelerator->closest(through, work)) << scale;
+        EXPECT_NEAR(accelerator->closest(through, work).t / (4 * scale), 1, 0.02);
+    }
+}
+
+TEST(Accelerator, SurvivesRandomBitsForCorners) {
+    Mesh mesh;
+    for (int i = 0; i < 3000; ++i) {
+        const auto bits = static_cast<std::uint32_t>(Key(10).bits(i));
+        float value = 0;
+        static_assert(sizeof value == sizeof bits);
+        std::memcpy(&value, &bits, sizeof value);
+        if (i % 3 == 0) mesh.positions.emplace_back();
+        mesh.positions.back()[i % 3] = value;
+    }
+    for (std::uint32_t i = 0; i + 2 < mesh.positions.size(); ++i) {
+        mesh.triangles.push_back({.position = {i, i + 1, i + 2}, .normal = {}, .uv = {}});
+    }
+    Scene scene = testing::empty_scene();
+    testing::add(scene, mesh, Lambert{});
+    const auto accelerator = build_accelerator(scene);
+    WorkCounts work;
+    for (int i = 0; i < 1000; ++i) {
+        const Ray ray{random_point(Key(11).branch(i), 1), random_point(Key(12).branch(i), 1)};
+        const Hit hit = accelerator->closest(ray, work);
+        ASSERT_EQ(hit, closest_brute(scene, ray)) << i;
+        ASSERT_FALSE(std::isnan(hit.t) || std::isnan(hit.u) || std::isnan(hit.v));
+    }
+}
+
+}  // namespace
+}  // namespace luch

@@ -1,0 +1,53 @@
+#include "tests/testing/everything.h"
+
+#include "tests/testing/meshes.h"
+#include "tests/testing/scenes.h"
+
+namespace luch::testing {
+
+NodeId add(Scene& scene, Geometry geometry, Material material, const Transform& to_world) {
+    scene.geometries.push_back(std::move(geometry));
+    scene.materials.push_back(std::move(material));
+    return add_node(scene, "node", static_cast<GeometryId>(scene.geometries.size() - 1),
+                    static_cast<MaterialId>(scene.materials.size() - 1), to_world);
+}
+
+Scene bit_of_everything() {
+    Scene scene = sixty_spheres();
+    scene.settings.frame = {64, 48};
+    scene.camera.position = {0, 2, -10};
+    scene.textures.emplace_back(CheckerTexture{.scaling = 2});
+    add(scene, Plane{.y = -3, .limit = 20}, Lambert{.texture = 0});
+    add(scene, Plane{.y = -30}, Lambert{});
+    scene.settings.background = Rgb(0.2f, 0.3f, 0.5f);
+    Image<Rgb> heights({4, 4});
+    for (int i = 0; i < 16; ++i) heights.pixels()[i] = Rgb(static_cast<float>(i * 7 % 16) / 16);
+    scene.textures.emplace_back(BumpTexture{slopes_of(heights.view()), 2, 1});
+    scene.textures.emplace_back(BitmapTexture{heights, 3});
+
+    const Transform sheared{glm::dmat3(1, 0.5, 0, 0, 2, 0.3, 0, 0, 1), {-4, 3, 2}};
+    const Transform mirrored =
+        Transform::scaling({-1, 2, 0.5}).then(Transform::translation({4, 4, 1}));
+    add(scene, uv_sphere(12, 16, 1), Phong{.color = {0.8f, 0.2f, 0.1f}, .exponent = 40}, sheared);
+    add(scene, triangle_soup(200, 0.4, Key(7)), Lambert{.texture = 2}, mirrored);
+    const NodeId cube = add(scene, Cube{.centre = {0, 1, -4}, .side = 2}, Lambert{.texture = 2},
+                            Transform::rotation(0.5, 0.2, 0.1));
+    scene.nodes[cube].bump = 1;
+    const NodeId wall =
+        add(scene, Plane{.y = 0, .limit = 6}, Reflection{},
+            Transform::rotation(0.2, 1.4, 0).then(Transform::translation({0, 4, 14})));
+    scene.nodes[wall].bump = 1;
+    const auto lambert = static_cast<MaterialId>(scene.materials.size());
+    scene.materials.emplace_back(Lambert{});
+    scene.materials.emplace_back(Reflection{.glossiness = 0.8, .samples = 3});
+    scene.materials.emplace_back(Layered{{{lambert, Rgb(1)}, {lambert + 1, Rgb(0.4f)}}});
+    scene.geometries.emplace_back(Sphere{.centre = {2, 2, -6}, .radius = 1});
+    add_node(scene, "layered", static_cast<GeometryId>(scene.geometries.size() - 1), lambert + 2,
+             Transform());
+    add(scene, Cube{.centre = {-5, 1, -5}, .side = 1}, Const{.color = {0.1f, 0.9f, 0.4f}});
+    const Transform lamp = Transform::scaling(Vec3d(3)).then(Transform::translation({0, 12, 0}));
+    add_rect_light(scene, "lamp", RectLight{.to_world = lamp, .color = Rgb(1), .power = 80});
+    return scene;
+}
+
+}  // namespace luch::testing
