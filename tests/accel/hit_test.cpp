@@ -29,7 +29,9 @@ TEST(EdgeSign, IsNeverWrongWhenItIsNotZero) {
         const auto u = static_cast<float>(key.uniform(5)), v = static_cast<float>(key.uniform(6));
         const Vec3 d = u * a + v * b;
         const int sign = edge_sign(a, b, d);
-        if (sign != 0) ASSERT_EQ(sign, exact_sign(a, b, d)) << i;
+        if (sign != 0) {
+            ASSERT_EQ(sign, exact_sign(a, b, d)) << i;
+        }
     }
 }
 
