@@ -24,9 +24,7 @@ class Copy {
             fs::copy(source / name, root_ / name);
         }
         for (const char* top : {"framework", "techniques", "homework", "scenes", "tests"}) {
-            if (fs::exists(source / top)) {
-                fs::copy(source / top, root_ / top, fs::copy_options::recursive);
-            }
+            if (fs::exists(source / top)) copy_code(source / top, root_ / top);
         }
     }
     ~Copy() { fs::remove_all(root_); }
@@ -40,12 +38,28 @@ class Copy {
     [[nodiscard]] const fs::path& root() const { return root_; }
 
  private:
+    /// Code and build files only: a scene's assets may be large.
+    static void copy_code(const fs::path& from, const fs::path& to) {
+        for (const auto& entry : fs::recursive_directory_iterator(from)) {
+            const auto ending = entry.path().extension();
+            if (ending != ".h" && ending != ".cpp" && ending != ".txt" && ending != ".cmake")
+                continue;
+            const fs::path copy = to / fs::relative(entry.path(), from);
+            fs::create_directories(copy.parent_path());
+            fs::copy_file(entry.path(), copy);
+        }
+    }
+
     fs::path root_;
 };
 
 struct Planted {
     std::string name, file, text, breach;
 };
+
+void PrintTo(const Planted& planted, std::ostream* out) {
+    *out << planted.file;
+}
 
 class Spoilt : public testing::TestWithParam<Planted> {};
 class Allowed : public testing::TestWithParam<Planted> {};
