@@ -187,6 +187,7 @@ std::string html_pictures(const SceneReport& scene, std::string_view prefix) {
     add(scene.baseline.picture, "baseline", "at pixel centres");
     for (const LabSeries& series : scene.series) {
         if (series.by_samples) continue;
+        html += "</div>\n<div class=\"pictures\">\n";
         for (const auto& [rank, point] : shown_points(series)) {
             const std::string detail = rank + series.setting(*point);
             add(point->picture, series.technique,

@@ -34,7 +34,8 @@ td.lead-number{font-weight:650;color:var(--ink)}
 .badge{display:inline-block;padding:1px 9px;border-radius:99px;font-size:14px;font-weight:600}
 .exact{background:var(--good-back);color:var(--good)}.bounded{background:var(--warn-back);color:var(--warn)}
 .heuristic,.bad{background:var(--bad-back);color:var(--bad)}
-.pictures{display:grid;grid-template-columns:repeat(auto-fill,minmax(320px,1fr));gap:20px}
+.pictures{display:grid;grid-template-columns:repeat(auto-fill,minmax(270px,1fr));gap:20px;
+margin-bottom:20px}
 .pictures figure{margin:0;scroll-margin-top:20px}.pictures img{width:100%;display:block;border-radius:8px;
 background:#000;image-rendering:auto}
 figcaption{font-size:16px;color:var(--soft);padding-top:6px}figcaption b{color:var(--ink)}
