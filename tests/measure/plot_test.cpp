@@ -45,7 +45,7 @@ TEST(Plot, DrawsAPointForEachThatIsANumberAndNoneForOthers) {
 
 TEST(Plot, CrossesOutAPointThatIsNotToBeTrusted) {
     LogPlot plot;
-    plot.series = {{"a", {at(1, 0.1), at(2, 1)}, false}};
+    plot.series = {{"a", {at(1, 0.1), at(2, 1), at(3, 1)}, false}};
     plot.series[0].points[0].flagged = true;
     EXPECT_EQ(testing::occurrences(svg_of(plot), "class=\"flag\""), 1u);
 }
