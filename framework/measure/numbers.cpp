@@ -38,7 +38,8 @@ std::string counted(std::uint64_t count, const std::string& what) {
 
 std::string percent(double part, double whole) {
     if (!(whole > 0)) return "—";
-    return fmt::format("{:.1f} %", 100 * part / whole);
+    const double percents = 100 * part / whole;
+    return fmt::format("{:.{}f} %", percents, percents > 0 && percents < 1 ? 2 : 1);
 }
 
 std::string duration(double seconds) {

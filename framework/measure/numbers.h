@@ -19,7 +19,7 @@ std::string grouped(std::uint64_t value);
 /// "1 light", "2 lights".
 std::string counted(std::uint64_t count, const std::string& what);
 
-/// Part of a whole in percent: "42.1 %"; "—" of nothing.
+/// Part of a whole in percent: "42.1 %", below 1 % "0.04 %"; "—" of nothing.
 std::string percent(double part, double whole);
 
 /// "12 s", "3 min 20 s", "2 h 05 min".

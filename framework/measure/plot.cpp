@@ -240,7 +240,7 @@ std::string Drawing::style() const {
 .lp .paper{fill:#fff}.lp .area{fill:none;stroke:#8a929c}.lp .floor{fill:#eef1f4}
 .lp text{fill:#22272e;font-size:15px}.lp .title{font-size:19px;font-weight:600}
 .lp .tick,.lp .hint{fill:#57606a;font-size:14px}.lp .hint{font-style:italic}
-.lp .note,.lp .label{font-size:14px}.lp .middle{text-anchor:middle}.lp .end{text-anchor:end}
+.lp .note,.lp .label{font-size:14px;paint-order:stroke;stroke:#fff;stroke-width:4px}.lp .middle{text-anchor:middle}.lp .end{text-anchor:end}
 .lp .grid{stroke:#e3e7eb}.lp .grid.decade{stroke:#c8ced5}.lp .mark{stroke:#8a929c}
 .lp .baseline{stroke:#57606a;stroke-width:2;stroke-dasharray:2 4;stroke-linecap:round}
 .lp .curve{fill:none;stroke-width:2.5}.lp .dashed{stroke-dasharray:8 6}
@@ -248,7 +248,7 @@ std::string Drawing::style() const {
 )" + light +
            R"(
 @media (prefers-color-scheme:dark){.lp .paper,.lp .hollow{fill:#1b1f24}.lp .floor{fill:#262c33}
-.lp text{fill:#e6eaef}.lp .tick,.lp .hint{fill:#a9b3be}.lp .grid{stroke:#2c333b}
+.lp text{fill:#e6eaef}.lp .note,.lp .label{stroke:#1b1f24}.lp .tick,.lp .hint{fill:#a9b3be}.lp .grid{stroke:#2c333b}
 .lp .grid.decade{stroke:#444d57}.lp .baseline{stroke:#a9b3be}.lp .flag{stroke:#ff6473}
 )" + dark + "}\n</style>\n";
 }

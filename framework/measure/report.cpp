@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace luch {
 namespace {
 
@@ -14,9 +16,10 @@ std::string accuracy(const SceneReport& scene, const LabPoint& point) {
     }
     if (point.identical) return "exact, bit for bit";
     if (point.errors.differing == 0) return "no displayed pixel differs";
-    return fmt::format("RMSE {}, {} of pixels differ", three_digits(point.errors.rmse),
-                       percent(static_cast<double>(point.errors.differing),
-                               static_cast<double>(scene.size.area())));
+    const std::uint64_t off = point.errors.differing;
+    return fmt::format("RMSE {}, {} ({}) off", three_digits(point.errors.rmse),
+                       counted(off, "pixel"),
+                       percent(static_cast<double>(off), static_cast<double>(scene.size.area())));
 }
 
 std::string pace(double speedup) {
@@ -84,6 +87,14 @@ std::vector<RayKind> kinds_used(const SceneReport& scene) {
         if (all.rays[i] > 0) kinds.push_back(static_cast<RayKind>(i));
     }
     return kinds;
+}
+
+std::vector<std::string> unwritten_of(const LabSeries& series) {
+    std::set<std::string> tasks;
+    for (const LabPoint& point : series.points) {
+        tasks.insert(point.unwritten.begin(), point.unwritten.end());
+    }
+    return {tasks.begin(), tasks.end()};
 }
 
 std::vector<std::string> verdicts(const SceneReport& scene) {

@@ -71,6 +71,9 @@ std::string_view name_of(RayKind kind);
 /// The kinds of rays that anything on this scene shot, so that tables need no empty columns.
 std::vector<RayKind> kinds_used(const SceneReport& scene);
 
+/// The tasks of a homework that fell back to the reference at any setting, each once, sorted.
+std::vector<std::string> unwritten_of(const LabSeries& series);
+
 /// What the series on a scene have to show, in plain words, one sentence a technique.
 std::vector<std::string> verdicts(const SceneReport& scene);
 

@@ -35,8 +35,8 @@ std::string remark(const LabPoint& point) {
                         point.errors.non_finite.first_x, point.errors.non_finite.first_y));
     }
     if (point.identical) text += badge("exact", "exact");
-    for (const std::string& task : point.unwritten) {
-        text += badge("bounded", task + " not written");
+    if (!point.unwritten.empty()) {
+        text += badge("bounded", counted(point.unwritten.size(), "task") + " open");
     }
     return text;
 }
@@ -140,7 +140,7 @@ std::string left_out_rows(const std::string& technique, const Plan& plan) {
 std::string html_results(const SceneReport& scene) {
     std::string html =
         "<h3>Time and error</h3>\n<div class=\"wide\"><table>\n<tr><th>technique</th>"
-        "<th class=\"text\">setting</th><th>preparation, ms</th><th>frame, ms</th><th>× faster</th>"
+        "<th class=\"text\">setting</th><th>prep, ms</th><th>frame, ms</th><th>× faster</th>"
         "<th>rays</th>";
     for (const Metric& metric : metrics()) {
         html +=

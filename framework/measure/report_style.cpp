@@ -13,7 +13,7 @@ std::string page_style() {
 *{box-sizing:border-box}
 body{margin:0;background:var(--paper);color:var(--ink);
 font:18px/1.5 system-ui,"Segoe UI","DejaVu Sans",sans-serif}
-header,main,footer{max-width:1280px;margin:0 auto;padding:0 32px}
+header,main,footer{max-width:1360px;margin:0 auto;padding:0 32px}
 header{padding-top:40px}h1{font-size:40px;line-height:1.15;margin:0 0 8px;letter-spacing:-.02em}
 h2{font-size:30px;line-height:1.2;margin:0;letter-spacing:-.01em}
 h2 small{font-size:17px;font-weight:400;color:var(--soft);letter-spacing:0;margin-left:12px}
@@ -26,7 +26,7 @@ border-radius:0 8px 8px 0}
 .plot svg{display:block;width:100%;height:auto}.plot{margin:0}
 .wide{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-size:16px;font-variant-numeric:tabular-nums}
-th,td{padding:7px 10px;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
+th,td{padding:7px 9px;text-align:right;border-bottom:1px solid var(--line);white-space:nowrap}
 th{color:var(--soft);font-weight:600;vertical-align:bottom}
 th:first-child,td:first-child,th.text,td.text{text-align:left}td.why{white-space:normal;text-align:left}
 tr.truth td{border-bottom:2px solid var(--line);color:var(--soft)}tr.group td{border-top:2px solid var(--line)}

@@ -10,7 +10,7 @@ namespace {
 PlotPoint plot_point(const LabSeries& series, const LabPoint& point) {
     const std::string setting = series.setting(point);
     return {point.frame_ms, point.errors.rmse,
-            series.parameter.empty() ? series.technique : setting,
+            series.parameter.empty() ? series.technique : exact_number(point.value),
             fmt::format("{} {}: RMSE {}, {} ms", series.technique, setting,
                         three_digits(point.errors.rmse), milliseconds(point.frame_ms)),
             point.errors.non_finite.count > 0};
@@ -29,9 +29,9 @@ std::string report_svg(const SceneReport& scene) {
                              fmt::format("baseline, {} ms", milliseconds(scene.baseline.frame_ms))};
     for (const LabSeries& series : scene.series) {
         PlotSeries curve;
-        curve.name = series.by_samples
-                         ? fmt::format("{} by samples, against {}", series.technique, series.truth)
-                         : series.technique;
+        curve.name = series.technique;
+        if (!series.parameter.empty()) curve.name += ", by " + series.parameter;
+        if (series.by_samples) curve.name += ", against " + series.truth;
         curve.dashed = series.by_samples;
         for (const LabPoint& point : series.points) {
             if (point.ran()) curve.points.push_back(plot_point(series, point));

@@ -44,10 +44,11 @@ std::string warnings(const LabSeries& series) {
                                 series.technique, series.setting(point), bad.count, bad.first_x,
                                 bad.first_y);
         }
-        for (const std::string& task : point.unwritten) {
-            text += fmt::format("{} {}: {} is still to be written; the reference stood in\n",
-                                series.technique, series.setting(point), task);
-        }
+    }
+    const std::vector<std::string> tasks = unwritten_of(series);
+    if (!tasks.empty()) {
+        text += fmt::format("{}: still to be written, the reference stood in: {}\n",
+                            series.technique, fmt::join(tasks, ", "));
     }
     return text;
 }

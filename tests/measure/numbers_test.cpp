@@ -42,6 +42,7 @@ TEST(Numbers, TellDurationsAndParts) {
     EXPECT_EQ(duration(200), "3 min 20 s");
     EXPECT_EQ(duration(7500), "2 h 05 min");
     EXPECT_EQ(percent(1, 8), "12.5 %");
+    EXPECT_EQ(percent(4, 10000), "0.04 %");
     EXPECT_EQ(percent(1, 0), "—");
     EXPECT_EQ(exact_number(4), "4");
     EXPECT_EQ(exact_number(0.1), "0.1");

@@ -68,7 +68,7 @@ TEST(ReportText, FlagsPixelsThatAreNotFiniteAndHoles) {
     point.unwritten = {"quick.t2"};
     const std::string text = report_text(report.scenes[0]);
     EXPECT_THAT(text, HasSubstr("NOT FINITE: quick lod=1: 3 pixels, the first at (7, 9)"));
-    EXPECT_THAT(text, HasSubstr("quick.t2 is still to be written"));
+    EXPECT_THAT(text, HasSubstr("quick: still to be written, the reference stood in: quick.t2"));
 }
 
 TEST(ReportCsv, HasARowForEachPointAndAsManyCellsInEach) {
