@@ -43,9 +43,9 @@ Camera moved_camera(Camera camera, const std::string& text) {
 }
 
 int checked_threads(int threads) {
-    constexpr int most = 1024;
-    if (threads >= 0 && threads <= most) return threads;
-    throw Error(fmt::format("--threads {}: give 1 to {}, or 0 for all cores", threads, most));
+    if (threads >= 0 && threads <= Workers::most_threads) return threads;
+    throw Error(fmt::format("--threads {}: give 1 to {}, or 0 for all cores", threads,
+                            Workers::most_threads));
 }
 
 }  // namespace

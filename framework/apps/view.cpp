@@ -11,9 +11,9 @@
 namespace luch {
 namespace {
 
-/// A technique that looks at its cancel token too rarely would hold the program after the window is
-/// gone; past this the process ends without it. Nothing is left to be saved by then.
-constexpr std::chrono::milliseconds patience_at_the_end{150};
+/// A technique that looks at its cancel token too rarely would hold the window after Esc; past this
+/// the process ends without it, and the system closes the window. Nothing is left to be saved.
+constexpr std::chrono::milliseconds patience_at_the_end{50};
 
 class View final : public Verb {
  public:
@@ -57,11 +57,10 @@ class View final : public Verb {
         const bool offscreen = !screen_present();
         check(offscreen);
         const Session session(scene_, options_);
-        std::unique_ptr<Window> window =
+        const std::unique_ptr<Window> window =
             open_window("luch view " + scene_, session.shot().size, offscreen);
         Viewer viewer(session.studio(), setup(session), *window, std::cout);
         viewer.run();
-        window.reset();
         if (!viewer.rests(patience_at_the_end)) {
             std::cout.flush();
             std::_Exit(EXIT_SUCCESS);

@@ -41,10 +41,9 @@ void Refinement::failed() {
 int Refinement::coarse() const {
     if (!previews_) return 1;
     if (!whole_ms_) return first_guess;
+    const auto expected_ms = [&](int by) { return *prepare_ms_ + *whole_ms_ / (by * by); };
     int divisor = 1;
-    while (divisor<coarsest&& * prepare_ms_ + *whole_ms_ / (divisor * divisor)> smooth_ms) {
-        divisor *= 2;
-    }
+    while (divisor < coarsest && expected_ms(divisor) > smooth_ms) divisor *= 2;
     return divisor;
 }
 

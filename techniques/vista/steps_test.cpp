@@ -291,6 +291,13 @@ TEST(VistaProject, IsTheInverseOfTheCamerasRay) {
     }
 }
 
+TEST(VistaProject, HasTheFinestGridOnWhichEdgeFunctionsAreExact) {
+    EXPECT_EQ(pixel_grid({640, 480}), 0x1p-16);
+    EXPECT_EQ(pixel_grid({480, 1024}), 0x1p-16);
+    EXPECT_EQ(pixel_grid({1025, 1}), 0x1p-15);
+    EXPECT_EQ(pixel_grid({16384, 16384}), 0x1p-12);
+}
+
 TEST(VistaProject, HasNoImageOfTheEyesOwnPlane) {
     const Screen screen(Camera{}, {64, 48});
     for (const double z : {0.0, -0.0, -1.0}) {

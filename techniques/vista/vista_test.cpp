@@ -2,6 +2,7 @@
 
 #include "framework/technique/catalogue.h"
 #include "framework/technique/context.h"
+#include "techniques/vista/plan.h"
 #include "tests/testing/meshes.h"
 #include "tests/testing/scenes.h"
 
@@ -156,10 +157,31 @@ TEST(Vista, PaintsTheNearOverTheFar) {
               plane_of<NodeId>(rendered(studio, {"hidden=depth"}), "ids"));
 }
 
+TEST(Vista, SeesTheRadiusOfANodeInPixels) {
+    Scene scene = testing::empty_scene();
+    add_shape(scene, Sphere{.radius = 0.5},
+              Transform::scaling(Vec3d(2)).then(Transform::translation({0, 0, 10})));
+    add_shape(scene, Sphere{.centre = {0, 0, 0.5}});
+    add_shape(scene, Plane{.y = -1});
+    const Screen screen(scene.camera, scene.settings.frame);
+    // 100 pixels a unit at distance 1; the outline's rays leave at an angle whose sine is 1/10.
+    EXPECT_NEAR(radius_px(scene, scene.nodes[0], screen), 100 / std::sqrt(99), 1e-4);
+    EXPECT_TRUE(std::isinf(radius_px(scene, scene.nodes[1], screen)));
+    EXPECT_TRUE(std::isinf(radius_px(scene, scene.nodes[2], screen)));
+}
+
 TEST(Vista, TestsOneObjectForEachCoveredPixelAndTracesOnlyItsFallbacks) {
+    // Polyhedra around the spheres instead of in them: where they stick out, the sphere is missed.
+    Steps steps = reference();
+    steps.tessellate = [](const Geometry& geometry, int n, std::vector<Tri>& triangles) {
+        Geometry larger = geometry;
+        if (auto* sphere = std::get_if<Sphere>(&larger)) sphere->radius *= 1.2;
+        tessellate(larger, n, triangles);
+    };
     const OwnStudio studio(testing::one_of_each());
-    const Outcome outcome = rendered(studio, {"segments=8"});
+    const Outcome outcome = studio.render(*make(steps));
     EXPECT_EQ(outcome.counts.object_tests, covered(outcome));
+    EXPECT_GT(outcome.counts.fallbacks, 100u);
     EXPECT_EQ(outcome.counts.of(RayKind::primary), outcome.counts.fallbacks);
     const auto& fell_back = plane_of<std::uint8_t>(outcome, "fallbacks").pixels();
     const auto marked = std::count(fell_back.begin(), fell_back.end(), 1);
@@ -228,13 +250,17 @@ TEST(Vista, TakesAHitForTheNearestHit) {
 }
 
 TEST(Vista, MakesTheSameFrameOnAnyNumberOfThreads) {
-    const OwnStudio one(testing::one_of_each(), 1), two(testing::one_of_each(), 2),
-        sixteen(testing::one_of_each(), 16);
+    // One pool after the other: while a small one lives, it may hold a larger one back.
+    const auto on_threads = [](int threads, const std::string& hidden) {
+        Scene scene = testing::one_of_each();
+        scene.settings.frame = {640, 480};
+        return rendered(OwnStudio(std::move(scene), threads), {hidden});
+    };
     for (const std::string hidden : {"hidden=painter", "hidden=depth"}) {
-        const Outcome outcome = rendered(one, {hidden});
-        EXPECT_GT(covered(outcome), 9000u);
-        expect_same_frames(outcome, rendered(two, {hidden}));
-        expect_same_frames(outcome, rendered(sixteen, {hidden}));
+        const Outcome outcome = on_threads(1, hidden);
+        EXPECT_GT(covered(outcome), 100'000u);
+        expect_same_frames(outcome, on_threads(2, hidden));
+        expect_same_frames(outcome, on_threads(16, hidden));
     }
 }
 
@@ -323,18 +349,23 @@ TEST(Vista, AntialiasesAsTheBaselineDoes) {
 }
 
 TEST(Vista, HidesTheBacksOfACulledMesh) {
-    Scene scene = testing::empty_scene();
-    Mesh mesh =
-        testing::mesh_of({{-1, -1, 3}, {1, -1, 3}, {0, 1, 3}, {-2, -2, 5}, {2, -2, 5}, {0, 2, 5}},
-                         {0, 1, 2, 3, 5, 4});
-    mesh.cull_backfaces = true;
-    // Mirrored: what was a front is a back.
-    add_shape(scene, mesh, Transform::scaling({-1, 1, 1}));
-    const OwnStudio studio(std::move(scene));
-    const Outcome outcome = rendered(studio);
-    EXPECT_EQ(outcome.counts.fallbacks, 0u);
-    EXPECT_GT(covered(outcome), 200u);
-    EXPECT_EQ(different_pixels(outcome, baseline_of(studio)), 0u);
+    int seen = 0;
+    for (const double mirror : {1.0, -1.0}) {
+        for (const bool turned : {false, true}) {
+            Scene scene = testing::empty_scene();
+            Mesh mesh = testing::triangle({-1, -1, 3}, {1, -1, 3}, {0, 1, 3});
+            if (turned) std::swap(mesh.triangles[0].position[1], mesh.triangles[0].position[2]);
+            mesh.cull_backfaces = true;
+            const NodeId node = add_shape(scene, mesh, Transform::scaling({mirror, 1, 1}));
+            add_shape(scene, Cube{.centre = {0, 0, 8}, .side = 6});
+            const OwnStudio studio(std::move(scene));
+            const Outcome outcome = rendered(studio);
+            seen += plane_of<NodeId>(outcome, "ids")(80, 60) == node;
+            EXPECT_EQ(outcome.counts.fallbacks, 0u);
+            EXPECT_EQ(different_pixels(outcome, baseline_of(studio)), 0u);
+        }
+    }
+    EXPECT_EQ(seen, 2) << "each winding once";
 }
 
 TEST(Vista, UsesAWrittenStepBesideHoles) {

@@ -90,8 +90,8 @@ TEST(Status, PlanesAreNamedWithRangeAndUnit) {
 
 TEST(Status, EveryKeyIsInTheHelp) {
     const auto help = help_lines();
-    for (const char* key : {"W A S D", "arrows", "Shift", "PgUp", "Tab", "C,", "P ", "M ", "F5",
-                            "F12", "F1", "Esc", "mouse", "wheel", "Home"}) {
+    for (const char* key : {"W A S D", "arrows", "Shift", "PgUp", "Tab", "C,", "P\t", "M\t", "I\t",
+                            "F5", "F12", "F1", "Esc", "mouse", "wheel", "Home"}) {
         EXPECT_THAT(help, Contains(HasSubstr(key)));
     }
 }
