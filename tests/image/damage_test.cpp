@@ -1,6 +1,7 @@
 #include "framework/base/error.h"
 #include "framework/base/files.h"
 #include "framework/image/io.h"
+#include "tests/testing/own_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,12 +18,7 @@ using testing::StartsWith;
 
 class Damage : public testing::TestWithParam<const char*> {
  protected:
-    void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::path(testing::TempDir()) / "luch_damage" / test;
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
+    void SetUp() override { folder_ = own_folder(); }
     void TearDown() override { fs::remove_all(folder_); }
 
     static std::string answer(const fs::path& file) {
