@@ -166,6 +166,31 @@ TEST_F(Damage, OfATiffIsNoticedThoughItsLibraryReadsOn) {
     EXPECT_THAT(answer(file), HasSubstr("ends too early or is damaged"));
 }
 
+TEST_F(Damage, OfAHuffmanTableIsFoundBeforeTheDecoderBelievesIt) {
+    const fs::path file = folder_ / "p.jpg";
+    write_picture(file, noise().view());
+    std::string bytes = read_text(file);
+    const std::size_t tables = bytes.find("\xff\xc4");
+    ASSERT_NE(tables, std::string::npos);
+    // Marker, length and class take five bytes; then come the counts of the codes of each length.
+    bytes[tables + 5] = bytes[tables + 6] = static_cast<char>(200);
+    write_text(file, bytes);
+    EXPECT_EQ(answer(file), file.string() + ": is damaged (bad Huffman table); save it again");
+}
+
+TEST_F(Damage, OfAnExrHeaderIsFoundBeforeTheLibraryMakesRoomForIt) {
+    const fs::path file = folder_ / "p.exr";
+    write_picture(file, noise().view());
+    std::string bytes = read_text(file);
+    const std::string attribute("compression\0compression\0", 24);
+    const std::size_t at = bytes.find(attribute);
+    ASSERT_NE(at, std::string::npos);
+    bytes[at + attribute.size() + 3] = 0x70;
+    write_text(file, bytes);
+    EXPECT_EQ(answer(file),
+              file.string() + ": is damaged (an attribute is larger than the file); save it again");
+}
+
 TEST_F(Damage, SaysWhenAPictureCannotBeWritten) {
     write_text(folder_ / "file", "in the way");
     for (const char* name : {"p.png", "p.exr", "p.hdr"}) {
