@@ -1,6 +1,7 @@
 #include "framework/base/error.h"
 #include "framework/base/files.h"
 #include "framework/image/formats.h"
+#include "framework/image/jpeg_tables.h"
 
 #include <fmt/format.h>
 
@@ -83,6 +84,9 @@ Source opened(const std::filesystem::path& file, const Format& format) {
         const std::string found = inside == "tga" ? "" : fmt::format(" but {}", inside);
         throw Error({file.string()}, fmt::format("is not {}{}; save it as what its ending says",
                                                  format.name, found));
+    }
+    if (inside == "jpeg" && !jpeg_tables_fit(source.bytes)) {
+        throw Error({file.string()}, "is damaged (bad Huffman table); save it again");
     }
     return source;
 }

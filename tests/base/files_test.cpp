@@ -1,6 +1,7 @@
 #include "framework/base/files.h"
 
 #include "framework/base/error.h"
+#include "tests/testing/own_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +13,6 @@ using testing::HasSubstr;
 
 class Files : public testing::Test {
  protected:
-    void SetUp() override { std::filesystem::remove_all(folder_); }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
     std::string problem_of_reading(const std::filesystem::path& file, std::uintmax_t limit) {
@@ -23,7 +23,7 @@ class Files : public testing::Test {
             return error.what();
         }
     }
-    std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "luch_files";
+    std::filesystem::path folder_ = own_folder();
 };
 
 TEST_F(Files, GiveBackWhatWasWrittenByteForByte) {

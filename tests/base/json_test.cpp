@@ -1,6 +1,7 @@
 #include "framework/base/json.h"
 
 #include "framework/base/files.h"
+#include "tests/testing/own_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ TEST(Json, CopiesAreIndependent) {
 }
 
 TEST(Json, IsWrittenToAFile) {
-    const auto file = std::filesystem::path(testing::TempDir()) / "luch_json" / "out.json";
+    const auto file = own_folder() / "out.json";
     Json::object().set("n", 1).write(file);
     EXPECT_EQ(read_text(file), "{\n  \"n\": 1\n}\n");
     std::filesystem::remove_all(file.parent_path());

@@ -2,6 +2,7 @@
 #include "framework/image/io.h"
 #include "framework/math/rng.h"
 #include "framework/scene/loader/loader.h"
+#include "tests/testing/own_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -72,10 +73,7 @@ std::string mutated(std::string bytes, const Key& key) {
 class Mutated : public testing::Test {
  protected:
     void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / "luch_mutated" /
-                  testing::UnitTest::GetInstance()->current_test_info()->name();
-        fs::remove_all(folder_);
-        fs::create_directories(folder_.parent_path());
+        folder_ = own_folder();
         fs::copy(LUCH_SOURCE_DIR "/tests/hostile/seeds", folder_, fs::copy_options::recursive);
         write_picture(folder_ / "picture.png", picture().view());
         for (const char* side : {"negx", "negy", "negz", "posx", "posy", "posz"}) {

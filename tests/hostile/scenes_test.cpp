@@ -1,5 +1,6 @@
 #include "framework/base/files.h"
 #include "framework/scene/loader/loader.h"
+#include "tests/testing/own_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -64,8 +65,7 @@ TEST(BrokenScenes, AreManyEnoughToMeanSomething) {
 class Folder : public testing::Test {
  protected:
     void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / "luch_hostile";
-        fs::remove_all(folder_);
+        folder_ = own_folder();
         fs::create_directories(folder_ / "inside");
     }
     void TearDown() override { fs::remove_all(folder_); }

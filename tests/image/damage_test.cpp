@@ -1,6 +1,7 @@
 #include "framework/base/error.h"
 #include "framework/base/files.h"
 #include "framework/image/io.h"
+#include "tests/testing/own_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,12 +18,7 @@ using testing::StartsWith;
 
 class Damage : public testing::TestWithParam<const char*> {
  protected:
-    void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        folder_ = fs::path(testing::TempDir()) / "luch_damage" / test;
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
+    void SetUp() override { folder_ = own_folder(); }
     void TearDown() override { fs::remove_all(folder_); }
 
     static std::string answer(const fs::path& file) {
@@ -168,6 +164,31 @@ TEST_F(Damage, OfATiffIsNoticedThoughItsLibraryReadsOn) {
     EXPECT_FLOAT_EQ(read(1, 63).g, 0x33 / 255.0f);
     write_text(file, tiff().substr(0, tiff().size() - 20));
     EXPECT_THAT(answer(file), HasSubstr("ends too early or is damaged"));
+}
+
+TEST_F(Damage, OfAHuffmanTableIsFoundBeforeTheDecoderBelievesIt) {
+    const fs::path file = folder_ / "p.jpg";
+    write_picture(file, noise().view());
+    std::string bytes = read_text(file);
+    const std::size_t tables = bytes.find("\xff\xc4");
+    ASSERT_NE(tables, std::string::npos);
+    // Marker, length and class take five bytes; then come the counts of the codes of each length.
+    bytes[tables + 5] = bytes[tables + 6] = static_cast<char>(200);
+    write_text(file, bytes);
+    EXPECT_EQ(answer(file), file.string() + ": is damaged (bad Huffman table); save it again");
+}
+
+TEST_F(Damage, OfAnExrHeaderIsFoundBeforeTheLibraryMakesRoomForIt) {
+    const fs::path file = folder_ / "p.exr";
+    write_picture(file, noise().view());
+    std::string bytes = read_text(file);
+    const std::string attribute("compression\0compression\0", 24);
+    const std::size_t at = bytes.find(attribute);
+    ASSERT_NE(at, std::string::npos);
+    bytes[at + attribute.size() + 3] = 0x70;
+    write_text(file, bytes);
+    EXPECT_EQ(answer(file),
+              file.string() + ": is damaged (an attribute is larger than the file); save it again");
 }
 
 TEST_F(Damage, SaysWhenAPictureCannotBeWritten) {

@@ -2,6 +2,7 @@
 
 #include "framework/base/error.h"
 #include "framework/base/files.h"
+#include "tests/testing/own_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -16,13 +17,7 @@ namespace fs = std::filesystem;
 
 class Files : public testing::Test {
  protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) /
-                  (std::string("luch_image_") +
-                   testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
+    void SetUp() override { folder_ = own_folder(); }
     void TearDown() override { fs::remove_all(folder_); }
     fs::path folder_;
 };

@@ -2,6 +2,7 @@
 
 #include "framework/base/files.h"
 #include "framework/scene/loader/loader.h"
+#include "tests/testing/own_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,13 +14,7 @@ namespace luch {
 /// A folder of its own for each test, and scenes in it.
 class SceneFile : public testing::Test {
  protected:
-    void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = std::filesystem::path(testing::TempDir()) / "luch_scene" /
-                  (std::string(test->test_suite_name()) + "." + test->name());
-        std::filesystem::remove_all(folder_);
-        std::filesystem::create_directories(folder_);
-    }
+    void SetUp() override { folder_ = own_folder(); }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
     /// The text, with a camera after it, as t.scene.
