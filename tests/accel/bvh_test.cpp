@@ -67,10 +67,12 @@ TEST(Bvh, StaysShallowForTenThousandIdenticalBoxes) {
 }
 
 TEST(Bvh, StaysWithinItsStackForBoxesThatShrinkGeometrically) {
+    // Bins of equal width peel off a few powers of two a level, along one axis after the other.
     std::vector<Box> boxes;
-    for (int i = 0; i < 250; ++i) {
-        const float x = std::ldexp(1.0f, i - 125);
-        boxes.push_back({{x, 0, 0}, {x * 1.5f, 1, 1}});
+    for (int i = 0; i < 750; ++i) {
+        Vec3 corner(0);
+        corner[i / 250] = std::ldexp(1.0f, i % 250 - 125);
+        boxes.push_back({corner, corner * 1.5f});
     }
     EXPECT_LT(checked_depth(Bvh<Box>(boxes), boxes), Bvh<Box>::stack_size);
 }
