@@ -1,0 +1,34 @@
+#include "scenes/generator/assets.h"
+
+#include "scenes/generator/sixty_spheres.h"
+#include "scenes/generator/sky.h"
+#include "scenes/generator/teapot.h"
+#include "scenes/generator/textures.h"
+
+namespace luch::assets {
+namespace {
+
+constexpr const char* about_teapot =
+    "The Utah teapot from M. Newell's control points (1975). Written by luch_assets.";
+
+}  // namespace
+
+std::vector<Asset> all_assets() {
+    std::vector<Asset> assets{
+        {"room/teapot_hires.obj", obj_text(teapot(10), about_teapot)},
+        {"room/teapot_lowres.obj", obj_text(teapot(4), about_teapot)},
+        {"room/boards.bmp", bmp_bytes(boards({256, 256}))},
+        {"room/marble.bmp", bmp_bytes(marble({256, 256}))},
+        {"room/plaster.bmp", bmp_bytes(plaster({256, 256}))},
+        {"room/landscape.bmp", bmp_bytes(landscape({160, 104}))},
+        {"spheres/spheres.scene", sixty_spheres_scene()},
+        {"mirrors/teapot.obj", obj_text(teapot(6), about_teapot)},
+        {"mirrors/hammered.bmp", bmp_bytes(hammered({128, 128}))},
+    };
+    for (const auto& [side, image] : evening_sky(64)) {
+        assets.push_back({"mirrors/sky/" + side + ".bmp", bmp_bytes(image)});
+    }
+    return assets;
+}
+
+}  // namespace luch::assets

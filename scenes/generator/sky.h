@@ -1,0 +1,15 @@
+#pragma once
+
+#include "scenes/generator/indexed_image.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace luch::assets {
+
+/// An evening sky for a CubemapEnvironment: its six sides under the names that the scene format
+/// asks for ("negx" …), sRGB. The glow lies towards +z.
+std::vector<std::pair<std::string, IndexedImage>> evening_sky(int side_px);
+
+}  // namespace luch::assets
