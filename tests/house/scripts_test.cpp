@@ -1,14 +1,12 @@
 // ./run, ./test and .ci/run on a machine made of fakes: every tool that they call is a script that
 // notes how it was called, so nothing is installed and nothing is built.
 #include "framework/base/files.h"
+#include "tests/testing/own_folder.h"
+#include "tests/testing/shell.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 
 namespace luch {
@@ -22,7 +20,7 @@ using testing::StartsWith;
 
 class Scripts : public testing::Test {
  protected:
-    Scripts() : root_(fs::path(testing::TempDir()) / ("luch-scripts-" + std::to_string(getpid()))) {
+    Scripts() {
         for (const char* folder : {".ci", "bin", "framework/cmake", "scenes/a", "scenes/b"}) {
             fs::create_directories(root_ / folder);
         }
@@ -69,19 +67,15 @@ class Scripts : public testing::Test {
     /// called calls_, one a line.
     void sh(const std::string& command) {
         fs::remove(root_ / "calls");
-        const std::string line = "cd " + root_.string() + " && env -i PATH=" + root_.string() +
-                                 "/bin " + command + " 2>&1";
-        std::FILE* pipe = popen(line.c_str(), "r");
-        std::array<char, 4096> buffer;
-        out_.clear();
-        while (const auto n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-            out_.append(buffer.data(), n);
-        }
-        status_ = WEXITSTATUS(pclose(pipe));
+        const std::string line =
+            "cd " + root_.string() + " && env -i PATH=" + root_.string() + "/bin " + command;
+        const Ran ran = shell(line);
+        out_ = ran.text;
+        status_ = ran.status;
         calls_ = fs::exists(root_ / "calls") ? read_text(root_ / "calls") : "";
     }
 
-    fs::path root_;
+    fs::path root_ = own_folder();
     std::string out_, calls_;
     int status_ = -1;
 };
