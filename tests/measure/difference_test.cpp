@@ -3,6 +3,7 @@
 #include "framework/base/error.h"
 #include "framework/image/io.h"
 #include "tests/measure/samples.h"
+#include "tests/testing/own_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -43,10 +44,12 @@ TEST(ErrorColour, IsThatOfTheLegendAtItsTicks) {
 }
 
 TEST(WriteDisplayed, StoresTheNumbersThatItWasGiven) {
-    const auto file = testing::empty_folder("displayed") / "grey.png";
+    const auto folder = own_folder();
+    const auto file = folder / "grey.png";
     const Image<Rgb> grey({2, 2}, Rgb(100 / 255.0f));
     write_displayed(file, grey.view());
     EXPECT_EQ(read_picture(file).pixels(1, 1), Rgb(100 / 255.0f));
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

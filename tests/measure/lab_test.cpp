@@ -3,6 +3,7 @@
 #include "framework/base/error.h"
 #include "framework/technique/context.h"
 #include "tests/measure/samples.h"
+#include "tests/testing/own_folder.h"
 #include "tests/testing/scenes.h"
 
 #include <gmock/gmock.h>
@@ -152,7 +153,7 @@ TEST(Lab, TellsHowFarItIsAndNeverGoesBack) {
 
 TEST(Lab, WritesPicturesAndAPageThatHoldsThem) {
     LabOptions options = LabOptions::quick();
-    const auto folder = testing::empty_folder("lab");
+    const auto folder = own_folder();
     options.pictures = folder / "pictures";
     LabReport report;
     report.scenes.push_back(lab_of(swept, options));
@@ -163,6 +164,7 @@ TEST(Lab, WritesPicturesAndAPageThatHoldsThem) {
     }
     // The baseline; best, which is exact; worst and where it differs.
     EXPECT_EQ(testing::occurrences(report_html(report), "data:image/png;base64,iVBOR"), 4u);
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace

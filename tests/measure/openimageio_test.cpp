@@ -3,6 +3,7 @@
 #include "framework/measure/difference.h"
 #include "framework/measure/metrics.h"
 #include "tests/measure/samples.h"
+#include "tests/testing/own_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ Image<Rgb> noise(std::uint64_t seed) {
 /// Writes two pictures, compares them here and by OpenImageIO's idiff.
 void expect_agreement(const std::string& ending, double tolerance) {
     if (testing::shell("idiff --help").status != 0) GTEST_SKIP() << "idiff is not installed";
-    const auto folder = testing::empty_folder("openimageio");
+    const auto folder = own_folder();
     const auto a = folder / ("a" + ending), b = folder / ("b" + ending);
     write_displayed(a, noise(1).view());
     write_displayed(b, noise(2).view());
@@ -41,6 +42,7 @@ void expect_agreement(const std::string& ending, double tolerance) {
     const double psnr = number_after(theirs, "Peak SNR");
     EXPECT_NEAR(errors.rmse / rmse, 1, tolerance) << theirs;
     EXPECT_NEAR(errors.psnr / psnr, 1, tolerance) << theirs;
+    std::filesystem::remove_all(folder);
 }
 
 TEST(OpenImageIo, AgreesOnRmseAndPsnrOfEightBitPictures) {

@@ -57,13 +57,6 @@ std::size_t occurrences(const std::string& text, const std::string& piece) {
     return count;
 }
 
-std::filesystem::path empty_folder(const std::string& name) {
-    const auto folder = std::filesystem::temp_directory_path() / ("luch_test_" + name);
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
-}
-
 Ran shell(const std::string& command) {
     Ran ran;
     std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");

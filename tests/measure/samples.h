@@ -15,9 +15,6 @@ LabReport sample_report(const std::string& name);
 /// How often a piece of text occurs.
 std::size_t occurrences(const std::string& text, const std::string& piece);
 
-/// A folder of its own for a test, empty.
-std::filesystem::path empty_folder(const std::string& name);
-
 /// What a command printed (both streams) and its exit status.
 struct Ran {
     int status = -1;
