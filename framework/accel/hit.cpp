@@ -86,7 +86,7 @@ bool intersect_triangle(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, co
     if (sign0 * sign1 < 0) return false;
     const int sign2 = edge_sign(a0, a1, ray.direction);
     const int side = sign0 + sign1 + sign2;
-    if (sign0 * sign2 < 0 || sign1 * sign2 < 0 || side == 0) return false;
+    if (sign0 * sign2 < 0 || sign1 * sign2 < 0) return false;
     if (cull_backfaces && side > 0) return false;
 
     Box box{p0, p0};

@@ -3,6 +3,7 @@
 #include "framework/base/error.h"
 #include "framework/base/json.h"
 #include "framework/image/io.h"
+#include "framework/measure/report_json.h"
 
 #include <fmt/format.h>
 
@@ -10,26 +11,6 @@
 
 namespace luch {
 namespace {
-
-Json rays_json(const Counts& counts) {
-    Json rays = Json::object();
-    for (std::size_t i = 0; i < ray_kind_names.size(); ++i) {
-        rays.set(ray_kind_names[i], counts.rays[i]);
-    }
-    return rays;
-}
-
-Json left_out_json(const Plan& plan) {
-    Json left_out = Json::array();
-    for (const Stage& stage : plan.stages) {
-        if (stage.needed) continue;
-        left_out.push(Json::object()
-                          .set("stage", stage.name)
-                          .set("exact", stage.kind == Stage::exact)
-                          .set("why", stage.why));
-    }
-    return left_out;
-}
 
 class Render final : public Verb {
  public:

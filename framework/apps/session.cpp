@@ -43,9 +43,25 @@ Camera moved_camera(Camera camera, const std::string& text) {
 }
 
 int checked_threads(int threads) {
-    constexpr int most = 1024;
-    if (threads >= 0 && threads <= most) return threads;
-    throw Error(fmt::format("--threads {}: give 1 to {}, or 0 for all cores", threads, most));
+    if (threads >= 0 && threads <= Workers::most_threads) return threads;
+    throw Error(fmt::format("--threads {}: give 1 to {}, or 0 for all cores", threads,
+                            Workers::most_threads));
+}
+
+/// What a scene asks for and this version does not do is said, not passed over.
+void warn_of_version(const Scene& scene) {
+    const auto warn = [&](const char* what) {
+        fmt::print(stderr, "luch: warning: {}: {}\n", scene.name, what);
+    };
+    if (scene.settings.global_illumination) {
+        warn("gi is on; there is no path tracer yet, so the light is the classic tracer's");
+    }
+    if (scene.camera.depth_of_field) {
+        warn("dof is on; there is no thin lens yet, so everything is in focus");
+    }
+    if (scene.camera.stereo_separation != 0) {
+        warn("stereoSeparation is set; there is no stereo yet, so one eye's picture is made");
+    }
 }
 
 }  // namespace
@@ -92,6 +108,7 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
     }
     scene_ = std::make_unique<Scene>(std::move(loaded.scene));
     load_ms_ = ms_since(loading);
+    warn_of_version(*scene_);
     const auto building = std::chrono::steady_clock::now();
     accelerator_ = build_accelerator(*scene_);
     build_ms_ = ms_since(building);

@@ -5,6 +5,9 @@
 namespace luch {
 
 // One file each: compare.cpp, doctor.cpp, lab.cpp, list.cpp, plan.cpp, render.cpp, view.cpp.
+std::unique_ptr<Verb> make_compare();
+std::unique_ptr<Verb> make_doctor();
+std::unique_ptr<Verb> make_lab();
 std::unique_ptr<Verb> make_list();
 std::unique_ptr<Verb> make_plan();
 std::unique_ptr<Verb> make_render();

@@ -109,6 +109,19 @@ void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Wh
     }
 }
 
+void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
+                Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour) {
+    const Screen screen(shot.camera, shot.size);
+    const Whitted whitted(scene, needs, tracer);
+    for (int y = tile.y0; y < tile.y1; ++y) {
+        for (int x = tile.x0; x < tile.x1; ++x) {
+            const Key key = sample_key(shot, x, y, 0).branch(radiance);
+            const Ray ray = screen.ray(x + 0.5, y + 0.5);
+            colour(x, y) = whitted.shade(RayKind::primary, ray, hits(x, y), key);
+        }
+    }
+}
+
 void antialias(const Scene& scene, const Shot& shot, const WhittedNeeds& needs, Context& context,
                ImageView<Rgb> colour) {
     // The edges are found in the picture as it was, whatever the order of the tiles.

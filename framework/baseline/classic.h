@@ -24,6 +24,11 @@ Vec2d sample_position(const Shot& shot, int x, int y, int sample);
 void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
                 Tracer& tracer, ImageView<Rgb> colour);
 
+/// The same with one sample a pixel, the hits of the pixels' centres being known already (from an
+/// item buffer…). Bit for bit what trace_tile() makes of the same hits.
+void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
+                Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour);
+
 /// The scene's own anti-aliasing, as the course has it: where a pixel or a neighbour differs from
 /// the mean of the five by more than 0.1 in a displayed channel, four more samples are taken around
 /// the centre. A heuristic: an edge that no pixel's centre saw stays jagged.

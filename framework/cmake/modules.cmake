@@ -28,10 +28,10 @@ function(luch_module kind name)
   cmake_parse_arguments(module "" "" "TESTS" ${ARGN})
   set(target ${kind}_${name})
   add_library(${target} STATIC ${module_UNPARSED_ARGUMENTS})
-  target_link_libraries(${target} PUBLIC luch_technique)
+  target_link_libraries(${target} PUBLIC luch_baseline)
   set_property(GLOBAL APPEND PROPERTY LUCH_MODULES ${kind}::${name})
   if(module_TESTS AND BUILD_TESTING)
-    luch_test(${target} ${module_TESTS} LINK ${target} luch_baseline luch_testing)
+    luch_test(${target} ${module_TESTS} LINK ${target} luch_testing)
   endif()
 endfunction()
 
@@ -43,6 +43,8 @@ endfunction()
 # add_homework(name source… TESTS source…): the one call of a homework's CMakeLists.txt.
 function(add_homework name)
   luch_module(homework ${name} ${ARGN})
+  # A hole does nothing with what it is given.
+  target_compile_options(homework_${name} PRIVATE -Wno-unused-parameter)
   target_link_libraries(homework_${name} PUBLIC techniques_${name})
 endfunction()
 

@@ -1,4 +1,5 @@
 #include "framework/base/error.h"
+#include "framework/image/exr_header.h"
 #include "framework/image/formats.h"
 
 #include <OpenImageIO/imageio.h>
@@ -28,6 +29,11 @@ Header header_of(const ImageSpec& spec) {
 /// Opened by the plug-in that the ending names, never by trying them all.
 std::unique_ptr<ImageInput> opened(const std::filesystem::path& file, const Format& format,
                                    ImageSpec& spec) {
+    if (!exr_attributes_fit(file)) {
+        throw Error({file.string()},
+                    "is damaged (an attribute is larger than the file); save it "
+                    "again");
+    }
     auto input = ImageInput::create(format.name);
     if (!input) {
         throw Error({file.string()}, fmt::format("OpenImageIO was built without {} ({})",

@@ -1,11 +1,13 @@
 #include "framework/base/error.h"
 #include "framework/base/files.h"
 #include "framework/image/formats.h"
+#include "framework/image/jpeg_tables.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -83,11 +85,28 @@ Source opened(const std::filesystem::path& file, const Format& format) {
         throw Error({file.string()}, fmt::format("is not {}{}; save it as what its ending says",
                                                  format.name, found));
     }
+    if (inside == "jpeg" && !jpeg_tables_fit(source.bytes)) {
+        throw Error({file.string()}, "is damaged (bad Huffman table); save it again");
+    }
     return source;
+}
+
+/// A PNG's width or height, big-endian in its header at byte 16 or 20.
+int png_side(std::string_view bytes, std::size_t at) {
+    std::uint32_t side = 0;
+    for (std::size_t i = at; i < std::min(at + 4, bytes.size()); ++i) {
+        side = side << 8 | static_cast<unsigned char>(bytes[i]);
+    }
+    return static_cast<int>(std::min<std::uint32_t>(side, std::numeric_limits<int>::max()));
 }
 
 Header header_of(const std::filesystem::path& file, const Format& format, Source& source) {
     Header header;
+    if (format_inside(source.bytes) == "png") {
+        // Beyond 2³⁰ bytes stb says no more than "unknown image type".
+        header = {{png_side(source.bytes, 16), png_side(source.bytes, 20)}, 1};
+        check_header(file, header);
+    }
     const int known = stbi_info_from_callbacks(&callbacks, &source, &header.size.width,
                                                &header.size.height, &header.channels);
     if (!known) {

@@ -18,7 +18,8 @@ class Key {
     /// The key of a sub-decision: pixel, sample, light, bounce…
     [[nodiscard]] Key branch(std::uint64_t which) const {
         Key key;
-        key.state_ = mixed(state_ ^ mixed(which + golden));
+        // The sum keeps seed and branch apart: without it Key(a).branch(b) is Key(b).branch(a).
+        key.state_ = mixed((state_ + golden) ^ mixed(which + golden));
         return key;
     }
     [[nodiscard]] std::uint64_t bits(std::uint64_t purpose) const { return branch(purpose).state_; }

@@ -8,10 +8,13 @@
 namespace luch {
 
 struct Workers::Arena {
-    explicit Arena(int threads)
-        : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
-          arena(threads) {}
-    tbb::global_control limit;  // lets a machine with fewer cores run more threads when asked to
+    explicit Arena(int threads) : arena(threads) {
+        // The library's limit is the smallest that anyone living asks for, and without one it is
+        // the number of cores. Set once for good, so that pools neither hold one another down nor
+        // stay below the number of threads asked for.
+        static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                               most_threads);
+    }
     tbb::task_arena arena;
 };
 

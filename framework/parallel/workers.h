@@ -21,7 +21,8 @@ class CancelToken {
 /// A fixed number of threads that share work out by tiles (oneTBB, named only in workers.cpp).
 class Workers {
  public:
-    /// 0 means one for every core that this process may use.
+    static constexpr int most_threads = 1024;
+    /// 0 means one for every core that this process may use; no more than most_threads.
     explicit Workers(int threads = 0);
     ~Workers();
     Workers(Workers&&) noexcept;

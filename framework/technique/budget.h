@@ -9,7 +9,7 @@ namespace luch {
 struct Budget {
     double rays_per_pixel = std::numeric_limits<double>::infinity();
     /// The viewer's only: a technique may end a frame early when it has passed.
-    std::optional<double> deadline_ms;
+    std::optional<double> deadline_ms = std::nullopt;
     /// False: every stage of the plan is run, needed or not.
     bool skip = true;
 };

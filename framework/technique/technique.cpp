@@ -3,7 +3,7 @@
 namespace luch {
 
 Shot shot_of(const Scene& scene) {
-    return {.camera = scene.camera, .size = scene.settings.frame, .gaze = {}};
+    return {.camera = scene.camera, .size = scene.settings.frame};
 }
 
 }  // namespace luch

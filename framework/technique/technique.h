@@ -26,7 +26,7 @@ struct Shot {
     std::uint64_t seed = 0;
     int frame = 0;
     double time_s = 0;
-    std::optional<Gaze> gaze;
+    std::optional<Gaze> gaze = std::nullopt;
 };
 
 /// The frame that a scene itself asks for.

@@ -22,13 +22,16 @@ LightSample sample_of(const RectLight& light, int cell, Key key, const Vec3d& ta
     const Vec2d inside = key.square(cell);
     const double x = (cell % light.x_samples + inside.x) / light.x_samples - 0.5;
     const double z = (cell / light.x_samples + inside.y) / light.y_samples - 0.5;
-    const Vec3d position = light.to_world.point({x, 0, z});
+    const double orientation = glm::determinant(light.to_world.matrix) < 0 ? -1 : 1;
+    const Vec3d facing =
+        orientation * glm::normalize(glm::cross(light.to_world.direction({1, 0, 0}),
+                                                light.to_world.direction({0, 0, 1})));
+    // Lifted off the light's own visible face, which would block half of the rays by rounding.
+    Vec3d position = light.to_world.point({x, 0, z});
+    position += 0x1p-44 * (max_norm(position) + max_norm(light.to_world.matrix)) * facing;
     const Vec3d to_target = target - position;
     const double distance = glm::length(to_target);
-    const Vec3d facing = glm::normalize(
-        glm::cross(light.to_world.direction({1, 0, 0}), light.to_world.direction({0, 0, 1})));
-    const double orientation = glm::determinant(light.to_world.matrix) < 0 ? -1 : 1;
-    const double cosine = std::max(0.0, orientation * glm::dot(facing, to_target) / distance);
+    const double cosine = std::max(0.0, glm::dot(facing, to_target) / distance);
     const float share = 1.0f / static_cast<float>(light.x_samples * light.y_samples);
     const auto strength = static_cast<float>(light.power * cosine / (distance * distance));
     return {position, light.color * (strength * share), cosine > 0 ? light.color * share : Rgb(0)};

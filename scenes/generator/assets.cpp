@@ -20,8 +20,9 @@ std::vector<Asset> all_assets() {
         {"room/boards.bmp", bmp_bytes(boards({256, 256}))},
         {"room/marble.bmp", bmp_bytes(marble({256, 256}))},
         {"room/plaster.bmp", bmp_bytes(plaster({256, 256}))},
+        {"room/landscape.bmp", bmp_bytes(landscape({160, 104}))},
         {"spheres/spheres.scene", sixty_spheres_scene()},
-        {"mirrors/teapot_lowres.obj", obj_text(teapot(4), about_teapot)},
+        {"mirrors/teapot.obj", obj_text(teapot(6), about_teapot)},
         {"mirrors/hammered.bmp", bmp_bytes(hammered({128, 128}))},
     };
     for (const auto& [side, image] : evening_sky(64)) {

@@ -1,6 +1,7 @@
 #include "scenes/generator/indexed_image.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace luch::assets {
 namespace {
@@ -35,7 +36,8 @@ IndexedImage painted(Size size, std::span<const Byte3> stops,
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
             const double v = value((x + 0.5) / size.width, (y + 0.5) / size.height);
-            image.pixels.push_back(static_cast<std::uint8_t>(std::clamp(v, 0.0, 1.0) * 255 + 0.5));
+            image.pixels.push_back(
+                static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 1.0) * 255)));
         }
     }
     return image;

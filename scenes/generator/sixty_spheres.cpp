@@ -39,10 +39,10 @@ GlobalSettings {
 }
 
 Camera camera {
-	pos              (0, 9, -46)
+	pos              (0, 38, -90)
 	yaw              0
-	pitch            0
-	fov              62
+	pitch            -17
+	fov              58
 	aspectRatio      1.3333333
 }
 
@@ -64,6 +64,7 @@ Lambert floor {
 
 Plane floor {
 	y                0
+	limit            48
 }
 
 Node floor {
@@ -96,16 +97,17 @@ bool touches(const Ball& ball, const std::vector<Ball>& others) {
 Ball thrown(int index, int attempt) {
     const Key key = Key(seed).branch(index).branch(attempt);
     const double rank = double(index) / (count - 1);
-    const double radius = 5.4 - 3.9 * rank * (1.4 - 0.4 * rank);
-    const double depth = 34 * key.uniform(0);
-    const double across = (26 + 0.45 * depth) * (2 * key.uniform(1) - 1);
+    const double radius = 6.6 - 4.6 * rank;
     const bool lies = index % 3 != 0;
-    const double height = lies ? 0 : (20 + 0.25 * depth) * key.uniform(2);
+    const double reach = lies ? 43 : 38;
+    const double across = reach * (2 * key.uniform(0) - 1);
+    const double depth = reach * (2 * key.uniform(1) - 1);
+    const double height = lies ? 0 : 10 + 26 * key.uniform(2);
     const auto rounded = [](double value) { return std::round(value * 100) / 100; };
     const double r = rounded(radius);
     return {{rounded(across), r + rounded(height), rounded(depth)},
             r,
-            static_cast<int>(key.bits(3) % std::size(paints))};
+            static_cast<int>((index * 5 + index / 8) % std::size(paints))};
 }
 
 }  // namespace

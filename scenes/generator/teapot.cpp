@@ -3,6 +3,8 @@
 #include "scenes/generator/newell.h"
 #include "scenes/generator/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace luch::assets {
@@ -91,13 +93,13 @@ std::string obj_text(const std::vector<Surface>& surfaces, std::string_view comm
         append_vectors("v", surface.points, 5, text);
         append_vectors("vn", surface.normals, 4, text);
         for (const Vec2d& uv : surface.uvs) {
-            text += "vt " + number(uv.x, 4) + ' ' + number(uv.y, 4) + '\n';
+            text += fmt::format("vt {} {}\n", number(uv.x, 4), number(uv.y, 4));
         }
         for (const Surface::Triangle& triangle : surface.triangles) {
             text += 'f';
             for (const auto [point, uv] : triangle) {
-                const std::string p = std::to_string(first_point + point);
-                text += ' ' + p + '/' + std::to_string(first_uv + uv) + '/' + p;
+                const std::size_t p = first_point + point;
+                text += fmt::format(" {}/{}/{}", p, first_uv + uv, p);
             }
             text += '\n';
         }

@@ -84,4 +84,21 @@ IndexedImage hammered(Size size) {
     });
 }
 
+IndexedImage landscape(Size size) {
+    // The ramp's first half is for the hills, dark to hazy, the second for the sky, glow to blue.
+    constexpr Byte3 stops[] = {{24, 40, 44},    {46, 78, 72},    {104, 126, 116}, {178, 160, 138},
+                               {250, 236, 190}, {244, 190, 130}, {206, 160, 150}, {112, 140, 176}};
+    return painted(size, stops, [](double x, double y) {
+        double shade = 0.62 + 0.55 * (0.62 - y);
+        const double to_sun = (x - 0.66) * (x - 0.66) * 2.2 + (y - 0.36) * (y - 0.36);
+        shade = to_sun < 0.004 ? 4.0 / 7 : shade - 0.03 * step_up(0.1, 0.004, to_sun);
+        for (int hill = 0; hill < 4; ++hill) {
+            const double ridge = Noise(40 + hill).fractal(x, 0.5, 3 - hill / 2, 1, 4);
+            const double top = 0.42 + 0.13 * hill + (0.30 - 0.05 * hill) * (0.5 - ridge);
+            if (y > top) shade = 0.40 - 0.12 * hill + 0.10 * (y - top);
+        }
+        return shade;
+    });
+}
+
 }  // namespace luch::assets

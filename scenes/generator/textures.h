@@ -4,7 +4,7 @@
 
 namespace luch::assets {
 
-/// All of them tile without a seam and depend on nothing but their size.
+/// All but the landscape tile without a seam.
 
 /// Four floor boards along x, each with a tone and a grain of its own and one joint.
 IndexedImage boards(Size size);
@@ -17,5 +17,8 @@ IndexedImage plaster(Size size);
 
 /// Heights for a bump: hammered metal, shallow round dents, grey.
 IndexedImage hammered(Size size);
+
+/// A picture to hang on a wall: hills before an evening sun.
+IndexedImage landscape(Size size);
 
 }  // namespace luch::assets

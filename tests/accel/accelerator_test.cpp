@@ -58,6 +58,27 @@ TEST(Accelerator, FindsTheSameHitAsBruteForceInEveryBit) {
     EXPECT_LT(work.primitives, 100'000u * 2 * 100);  // brute force would be 600 a ray
 }
 
+TEST(Accelerator, LosesNoHitAtTheBorderOfANodeThatIsFarAway) {
+    // A flat square fills its box to the last bit: rays aimed at its corners and borders from afar
+    // meet it, or not, by the rounding in its own frame, which its world box must allow for.
+    Mesh square = testing::triangle({-1, 0, -1}, {1, 0, -1}, {1, 0, 1});
+    square.triangles.push_back(square.triangles[0]);
+    Scene scene = testing::empty_scene();
+    testing::add(scene, square, Lambert{}, Transform::translation({148376, 1234, -223423}));
+    const auto accelerator = build_accelerator(scene);
+    WorkCounts work;
+    int hits = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Key key = Key(13).branch(i);
+        const Vec3d origin = scene.nodes[0].to_world.point(random_point(key.branch(0), 1000));
+        const Ray ray{origin, awkward_point(scene, key.branch(1)) - origin};
+        const Hit hit = accelerator->closest(ray, work);
+        ASSERT_EQ(hit, closest_brute(scene, ray)) << i;
+        hits += hit ? 1 : 0;
+    }
+    EXPECT_GT(hits, 1000);
+}
+
 TEST(Accelerator, FindsWhatOneNodeAloneWouldGive) {
     const Scene scene = testing::bit_of_everything();
     const auto accelerator = build_accelerator(scene);

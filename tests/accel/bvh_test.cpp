@@ -66,13 +66,18 @@ TEST(Bvh, StaysShallowForTenThousandIdenticalBoxes) {
     EXPECT_LE(checked_depth(Bvh<Box>(boxes), boxes), 16);
 }
 
-TEST(Bvh, StaysWithinItsStackForBoxesThatShrinkGeometrically) {
+TEST(Bvh, HalvesWhatIsLeftBelowTheDepthForItsHeuristic) {
+    // Bins of equal width peel off a few powers of two a level: 57 levels if nothing stopped them.
     std::vector<Box> boxes;
-    for (int i = 0; i < 250; ++i) {
-        const float x = std::ldexp(1.0f, i - 125);
-        boxes.push_back({{x, 0, 0}, {x * 1.5f, 1, 1}});
+    for (int i = 0; i < 540; ++i) {
+        Vec3 corner(0);
+        corner[i / 180] = std::ldexp(1.0f, i % 180 - 120);
+        boxes.push_back({corner, corner * 1.5f});
     }
-    EXPECT_LT(checked_depth(Bvh<Box>(boxes), boxes), Bvh<Box>::stack_size);
+    const int depth = checked_depth(Bvh<Box>(boxes), boxes);
+    EXPECT_GT(depth, Bvh<Box>::sah_depth);
+    EXPECT_LE(depth, Bvh<Box>::sah_depth + 6);
+    EXPECT_LT(depth, Bvh<Box>::stack_size);
 }
 
 TEST(Bvh, EndsForNanAndInfiniteBoxes) {

@@ -1,8 +1,13 @@
 #include "scenes/generator/sixty_spheres.h"
 
+#include "framework/scene/camera.h"
+#include "framework/scene/loader/loader.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <set>
 
 namespace luch::assets {
 namespace {
@@ -29,11 +34,34 @@ TEST(SixtySpheres, LieOnTheFloorOrHangAboveIt) {
 TEST(SixtySpheres, DifferInSizeAndColour) {
     const auto balls = sixty_balls();
     EXPECT_GT(balls.front().radius, 3 * balls.back().radius);
-    std::vector<int> colours;
-    for (const Ball& ball : balls) colours.push_back(ball.colour);
-    for (int colour = 0; colour < 8; ++colour) {
-        EXPECT_NE(std::count(colours.begin(), colours.end(), colour), 0) << colour;
+    std::set<int> colours;
+    for (const Ball& ball : balls) colours.insert(ball.colour);
+    EXPECT_EQ(colours.size(), 8u);
+}
+
+bool sees(const Ray& ray, const Ball& ball) {
+    const Vec3d to_centre = ball.centre - ray.origin;
+    const double along = glm::dot(to_centre, ray.direction);
+    const Vec3d miss = to_centre - along * ray.direction;
+    return along > 0 && glm::dot(miss, miss) < ball.radius * ball.radius;
+}
+
+TEST(SixtySpheres, CoverThreeFifthsOfTheFrame) {
+    const std::filesystem::path file = LUCH_SOURCE_DIR "/scenes/spheres/spheres.scene";
+    const Scene scene = load_scene(file).scene;
+    const auto balls = sixty_balls();
+    const Screen screen(scene.camera, scene.settings.frame);
+    int covered = 0;
+    for (int y = 0; y < screen.size().height; ++y) {
+        for (int x = 0; x < screen.size().width; ++x) {
+            const Ray ray = screen.ray(x + 0.5, y + 0.5);
+            covered += std::any_of(balls.begin(), balls.end(),
+                                   [&](const Ball& ball) { return sees(ray, ball); });
+        }
     }
+    const double share = double(covered) / double(screen.size().area());
+    RecordProperty("covered_pixels", covered);
+    EXPECT_NEAR(share, 0.6, 0.02) << covered << " pixels";
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace luch {
@@ -35,6 +37,20 @@ TEST(Workers, RethrowTheFirstExceptionOnceAndStayUsable) {
         workers.for_each(100, [&](int k, int) { sum += k; });
         EXPECT_EQ(sum, 4950);
     }
+}
+
+TEST(Workers, RunOnAsManyThreadsAsAskedForBesideASmallerPool) {
+    const Workers small(1), large(4);
+    std::atomic<int> inside = 0, gave_up = 0;
+    // Each call waits until all four are inside; with fewer threads the first would wait in vain.
+    large.for_each(4, [&](int, int) {
+        ++inside;
+        for (int i = 0; i < 2000 && inside < 4; ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        if (inside < 4) ++gave_up;
+    });
+    EXPECT_EQ(gave_up, 0);
 }
 
 TEST(Workers, BeginNothingMoreAfterACancel) {

@@ -72,7 +72,7 @@ TEST(Antialias, SmoothsEdgesAndLeavesFlatPixelsAlone) {
 }
 
 TEST(SamplePosition, IsTheCentreForOneSampleAndFillsThePixelForMany) {
-    Shot shot{.camera = {}, .size = {8, 8}, .spp = 1, .gaze = {}};
+    Shot shot{.camera = {}, .size = {8, 8}, .spp = 1};
     EXPECT_EQ(sample_position(shot, 3, 4, 0), Vec2d(3.5, 4.5));
     shot.spp = 1000;
     Vec2d sum(0);

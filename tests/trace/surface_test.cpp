@@ -19,7 +19,7 @@ struct Aimed {
     Hit hit;
 };
 
-std::vector<Aimed> hits_in(const Scene& scene, const Accelerator& accelerator, int rays) {
+std::vector<Aimed> hits_in(const Accelerator& accelerator, int rays) {
     std::vector<Aimed> hits;
     WorkCounts work;
     for (int i = 0; i < rays; ++i) {
@@ -34,7 +34,7 @@ std::vector<Aimed> hits_in(const Scene& scene, const Accelerator& accelerator, i
 TEST(Surface, LiesWhereTheRayHitAndFacesIt) {
     const Scene scene = testing::bit_of_everything();
     const auto accelerator = build_accelerator(scene);
-    for (const auto& [ray, hit] : hits_in(scene, *accelerator, 20'000)) {
+    for (const auto& [ray, hit] : hits_in(*accelerator, 20'000)) {
         const Surface surface = surface_at(scene, ray, hit);
         const double length = glm::length(ray.direction);
         ASSERT_LE(glm::length(surface.position - ray.at(hit.t)),

@@ -112,6 +112,27 @@ TEST(Whitted, LightsWithARectLightOnItsLowerSideOnly) {
     expect_near(seen(scene, {{0.5, 3, 0}, {0, 1, 0}}).colour, Rgb(0));  // above the lamp: dark
 }
 
+TEST(Whitted, IsNotShadowedByARectLightsOwnFaceHoweverItIsTurned) {
+    for (int i = 0; i < 50; ++i) {
+        const Key key = Key(3).branch(i);
+        const auto turn = Transform::rotation(6 * key.uniform(0), key.uniform(1) - 0.5, 0);
+        const Vec3d centre{key.uniform(2), 2, key.uniform(3)};
+        Scene scene = lit_floor(Lambert{.color = Rgb(1)});
+        scene.lights.clear();
+        const RectLight light{
+            .to_world =
+                Transform::scaling(Vec3d(0.01)).then(turn).then(Transform::translation(centre)),
+            .power = 8,
+            .x_samples = 8,
+            .y_samples = 8};
+        add_rect_light(scene, "lamp", light);
+        const double distance = glm::length(centre);
+        const double at_light = glm::dot(turn.direction({0, -1, 0}), -centre) / distance;
+        const double expected = 8 * at_light * (centre.y / distance) / (distance * distance);
+        expect_near(seen(scene, down_at_origin).colour, Rgb(static_cast<float>(expected)), 0.01f);
+    }
+}
+
 TEST(Whitted, GivesTheSamePictureWithEveryStageForcedOn) {
     const Scene scene = testing::bit_of_everything();
     const auto accelerator = build_accelerator(scene);

@@ -1,0 +1,119 @@
+#include "techniques/vista/plan.h"
+
+#include "framework/baseline/classic.h"
+
+#include <fmt/format.h>
+
+namespace luch::techniques::vista {
+namespace {
+
+template <class Shape>
+std::size_t nodes_with(const Scene& scene) {
+    return std::count_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& node) {
+        return std::holds_alternative<Shape>(scene.geometries[node.geometry]);
+    });
+}
+
+/// The corners of the box around a node, in view space.
+std::array<Vec3d, 8> corners_in_view(const Scene& scene, const Node& node, const Screen& screen) {
+    const Boxd box = bounds_of(scene.geometries[node.geometry]);
+    std::array<Vec3d, 8> corners;
+    for (unsigned i = 0; i < 8; ++i) {
+        const Vec3d corner{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
+                           i & 4 ? box.hi.z : box.lo.z};
+        corners[i] = screen.to_view(node.to_world.point(corner));
+    }
+    return corners;
+}
+
+/// Certainly inside: by more than what rounding may do to a corner.
+bool certainly_inside(const Scene& scene, const Node& node, const Screen& screen,
+                      const Frustum& frustum) {
+    constexpr double margin = 1e-9;
+    for (const Vec3d& corner : corners_in_view(scene, node, screen)) {
+        if (!all_finite(corner)) return false;
+        for (const Vec3d& inward : frustum.inward) {
+            if (!(glm::dot(inward, corner) > margin * max_norm(corner) * max_norm(inward))) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+std::size_t crossing_nodes(const Scene& scene, const Screen& screen) {
+    const Frustum frustum = frustum_of(screen);
+    return std::count_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& node) {
+        return !certainly_inside(scene, node, screen, frustum);
+    });
+}
+
+Stage lod_stage(const Scene& scene, const Params& params) {
+    const std::size_t spheres = nodes_with<Sphere>(scene);
+    if (params.segments != 0) {
+        return {"lod", false, Stage::exact, fmt::format("segments = {}", params.segments)};
+    }
+    return {"lod", spheres > 0, Stage::exact,
+            spheres > 0 ? fmt::format("{} spheres", spheres)
+                        : "no spheres: every shape has triangles of its own"};
+}
+
+Stage clip_stage(const Scene& scene, const Screen& screen) {
+    const std::size_t crossing = crossing_nodes(scene, screen);
+    return {"clip", crossing > 0, Stage::exact,
+            crossing > 0 ? fmt::format("{} nodes are not wholly in the view volume", crossing)
+                         : "every node is wholly in the view volume"};
+}
+
+Stage sort_stage(const Scene& scene, const Params& params) {
+    const std::size_t nodes = scene.nodes.size();
+    if (Hidden(params.hidden) == Hidden::depth) {
+        return {"sort", false, Stage::exact, "depths are compared, in any order"};
+    }
+    return {"sort", nodes > 1, Stage::exact,
+            nodes > 1 ? fmt::format("{} nodes may hide one another", nodes)
+                      : "there is nothing for one node to hide (the depth plane is not sorted)"};
+}
+
+}  // namespace
+
+float radius_px(const Scene& scene, const Node& node, const Screen& screen) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    const Boxd box = bounds_of(scene.geometries[node.geometry]);
+    if (box.empty()) return 0;
+    if (!all_finite(box.lo) || !all_finite(box.hi)) return infinite;
+    double longest_axis = 0;
+    for (const Vec3d& axis : {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)}) {
+        longest_axis = std::max(longest_axis, glm::length(node.to_world.direction(axis)));
+    }
+    const double radius = max_norm(box.size()) / 2 * longest_axis;
+    const Vec3d centre = screen.to_view(node.to_world.point(box.centre()));
+    const double tangent_squared = glm::dot(centre, centre) - radius * radius;
+    if (!(tangent_squared > 0)) return infinite;
+    const double pixels_at_one = screen.size().width / (2 * screen.half_width());
+    return static_cast<float>(radius / std::sqrt(tangent_squared) * pixels_at_one);
+}
+
+Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
+    if (shot.camera.depth_of_field) {
+        return {
+            false,
+            "depth of field: rays leave from all over the lens, the buffer is seen from one point",
+            {}};
+    }
+    if (shot.spp > 1) {
+        return {false,
+                fmt::format("{} samples a pixel: the buffer knows what the pixels' centres see",
+                            shot.spp),
+                {}};
+    }
+    const Screen screen(shot.camera, shot.size);
+    Plan plan{true, "one object test a covered pixel instead of a search", {}};
+    plan.stages = classic_stages(scene, shot);
+    plan.stages.push_back(lod_stage(scene, params));
+    plan.stages.push_back(clip_stage(scene, screen));
+    plan.stages.push_back(sort_stage(scene, params));
+    return plan;
+}
+
+}  // namespace luch::techniques::vista

@@ -1,0 +1,90 @@
+#include "framework/base/files.h"
+#include "framework/image/io.h"
+#include "tests/measure/samples.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+namespace luch {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Ran;
+using testing::shell;
+
+/// Runs the program in a folder that holds grey.png, lighter.png and wide.png.
+Ran luch_compare(const std::string& arguments) {
+    const auto folder = testing::empty_folder("compare");
+    write_picture(folder / "grey.png", Image<Rgb>({4, 4}, Rgb(0.2f)).view());
+    write_picture(folder / "lighter.png", Image<Rgb>({4, 4}, Rgb(0.3f)).view());
+    write_picture(folder / "wide.png", Image<Rgb>({5, 4}, Rgb(0.3f)).view());
+    Image<Rgb> broken({4, 4}, Rgb(0.2f));
+    broken(3, 2) = Rgb(std::numeric_limits<float>::quiet_NaN());
+    write_picture(folder / "broken.exr", broken.view());
+    return shell("cd '" + folder.string() + "' && '" LUCH_PROGRAM "' compare " + arguments);
+}
+
+TEST(CompareVerb, EndsWithZeroForAComparisonWithoutALimit) {
+    const Ran ran = luch_compare("grey.png lighter.png");
+    EXPECT_EQ(ran.status, 0) << ran.text;
+    EXPECT_THAT(ran.text, HasSubstr("as displayed (sRGB"));
+    EXPECT_THAT(ran.text, HasSubstr("16 of 16 pixels differ"));
+}
+
+TEST(CompareVerb, EndsWithOneWhenALimitIsExceededAndOnlyThen) {
+    EXPECT_EQ(luch_compare("grey.png lighter.png --fail-above rmse=0.5").status, 0);
+    const Ran ran =
+        luch_compare("grey.png lighter.png --fail-above rmse=0.5 --fail-above max=0.01");
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_THAT(ran.text, HasSubstr("FAILED: max"));
+    EXPECT_EQ(luch_compare("grey.png lighter.png --fail-below psnr=90").status, 1);
+}
+
+TEST(CompareVerb, EndsWithOneForAPixelThatIsNotFinite) {
+    const Ran ran = luch_compare("grey.png broken.exr");
+    EXPECT_EQ(ran.status, 1);
+    EXPECT_THAT(ran.text, HasSubstr("the first at (3, 2)"));
+}
+
+TEST(CompareVerb, ExplainsAMistakeAndEndsWithTwo) {
+    const auto expect = [](const std::string& arguments, const std::string& word) {
+        const Ran ran = luch_compare(arguments);
+        EXPECT_EQ(ran.status, 2) << arguments;
+        EXPECT_THAT(ran.text, HasSubstr(word)) << arguments;
+    };
+    expect("grey.png wide.png", "4x4 and 5x4");
+    expect("grey.png missing.png", "missing.png");
+    expect("grey.png baselin", "baseline");
+    expect("grey.png baseline", "name a scene");
+    expect("grey.png lighter.png x.scene", "two pictures need no scene");
+    expect("grey.png lighter.png --fail-above rsme=1", "rmse");
+    expect("grey.png lighter.png --fail-above rmse", "METRIC=NUMBER");
+    expect("grey.png lighter.png --fail-above psnr=40", "--fail-below psnr=40");
+    expect("grey.png lighter.png --amplify -1", "--amplify");
+}
+
+TEST(CompareVerb, WritesTheDifferenceAndJson) {
+    const Ran ran =
+        luch_compare("grey.png lighter.png --difference off.png --amplify 2 --json o.json");
+    EXPECT_EQ(ran.status, 0) << ran.text;
+    EXPECT_THAT(ran.text, HasSubstr("2 × amplified"));
+    const auto folder = std::filesystem::temp_directory_path() / "luch_test_compare";
+    const float off = 2 * (byte_of(srgb_encoded(0.3f)) - byte_of(srgb_encoded(0.2f))) / 255.0f;
+    EXPECT_NEAR(read_picture(folder / "off.png").pixels(1, 1).r, off, 1e-6);
+    const std::string json = read_text(folder / "o.json");
+    for (const char* key : {"rmse", "psnr", "max", "p999", "relmse", "non_finite"}) {
+        EXPECT_THAT(json, HasSubstr(fmt::format("\"{}\": ", key)));
+    }
+}
+
+TEST(LabVerb, ExplainsAMistakeAndEndsWithTwo) {
+    const Ran spp = shell("'" LUCH_PROGRAM "' lab x.scene --spp 4");
+    EXPECT_EQ(spp.status, 2);
+    EXPECT_THAT(spp.text, HasSubstr("leave it out"));
+    const Ran name = shell("'" LUCH_PROGRAM "' lab x.scene -t baselin");
+    EXPECT_EQ(name.status, 2);
+    EXPECT_THAT(name.text, HasSubstr("baseline"));
+}
+
+}  // namespace
+}  // namespace luch
