@@ -12,7 +12,7 @@ namespace luch::assets {
 namespace {
 
 constexpr int count = 60;
-constexpr std::uint64_t seed = 60;
+constexpr std::uint64_t seed = 62;
 
 constexpr char head[] = R"(// Sixty spheres
 //

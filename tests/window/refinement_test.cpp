@@ -33,8 +33,10 @@ TEST(Refinement, AMovingPictureIsAsFineAsItsTimeAllows) {
         refinement.changed();
         return divisors(refinement, whole_ms, true);
     };
-    EXPECT_EQ(next_after_move(20), std::vector{1});
+    EXPECT_EQ(next_after_move(49), std::vector{1});
+    EXPECT_EQ(next_after_move(51), std::vector{2});
     EXPECT_EQ(next_after_move(199), std::vector{2});
+    EXPECT_EQ(next_after_move(201), std::vector{4});
     EXPECT_EQ(next_after_move(799), std::vector{4});
     EXPECT_EQ(next_after_move(60'000), std::vector{8});
 }
