@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <iterator>
+#include <regex>
 
 namespace luch {
 namespace {
@@ -208,6 +210,21 @@ TEST_F(Scripts, HelpWithoutDoingAnything) {
         EXPECT_EQ(calls_, "");
     }
 }
+
+class Documents : public testing::TestWithParam<const char*> {};
+
+TEST_P(Documents, NameOnlyScenesThatExist) {
+    const fs::path root = LUCH_SOURCE_DIR;
+    const std::string text = read_text(root / GetParam());
+    const std::regex scene(R"(scenes/\w+/\w+\.scene)");
+    const std::sregex_iterator first(text.begin(), text.end(), scene), none;
+    EXPECT_NE(first, none);
+    for (auto name = first; name != none; ++name) {
+        EXPECT_TRUE(fs::exists(root / name->str())) << name->str();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(House, Documents, testing::Values("README.md", "run"));
 
 }  // namespace
 }  // namespace luch
