@@ -1,12 +1,10 @@
 #include "framework/base/files.h"
+#include "tests/testing/own_folder.h"
+#include "tests/testing/shell.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 
 namespace luch {
@@ -19,9 +17,6 @@ using testing::Not;
 /// Runs `luch doctor` with a PATH on which dpkg-query is a script of the test's.
 class Doctor : public testing::Test {
  protected:
-    Doctor() : folder_(fs::path(testing::TempDir()) / ("luch-doctor-" + std::to_string(getpid()))) {
-        fs::create_directories(folder_);
-    }
     ~Doctor() override { fs::remove_all(folder_); }
 
     /// dpkg-query shall call everything installed that it is asked for, except `missing`.
@@ -36,15 +31,12 @@ class Doctor : public testing::Test {
         const std::string command = "PATH=" + folder_.string() +
                                     " DISPLAY=:7 WAYLAND_DISPLAY= " + LUCH_PROGRAM + " doctor " +
                                     arguments + " 2>&1";
-        std::FILE* pipe = popen(command.c_str(), "r");
-        std::array<char, 4096> buffer;
-        while (const auto n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-            output_.append(buffer.data(), n);
-        }
-        status_ = WEXITSTATUS(pclose(pipe));
+        const Ran ran = shell(command);
+        output_ = ran.text;
+        status_ = ran.status;
     }
 
-    fs::path folder_;
+    fs::path folder_ = own_folder();
     std::string output_;
     int status_ = -1;
 };

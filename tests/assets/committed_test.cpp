@@ -1,5 +1,6 @@
 #include "framework/base/files.h"
 #include "scenes/generator/assets.h"
+#include "tests/testing/own_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ const std::filesystem::path scenes = std::filesystem::path(LUCH_SOURCE_DIR) / "s
 TEST(CommittedAssets, AreWhatTheGeneratorWrites) {
     const auto assets = all_assets();
     ASSERT_FALSE(assets.empty());
-    const auto folder = std::filesystem::path(testing::TempDir()) / "luch_assets";
+    const auto folder = own_folder();
     for (const auto& [path, bytes] : assets) {
         write_text(folder / path, bytes);
         EXPECT_TRUE(read_text(folder / path) == read_text(scenes / path))

@@ -1,15 +1,15 @@
 // ./run, ./test and .ci/run on a machine made of fakes: every tool that they call is a script that
 // notes how it was called, so nothing is installed and nothing is built.
 #include "framework/base/files.h"
+#include "tests/testing/own_folder.h"
+#include "tests/testing/shell.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
+#include <iterator>
+#include <regex>
 
 namespace luch {
 namespace {
@@ -22,7 +22,7 @@ using testing::StartsWith;
 
 class Scripts : public testing::Test {
  protected:
-    Scripts() : root_(fs::path(testing::TempDir()) / ("luch-scripts-" + std::to_string(getpid()))) {
+    Scripts() {
         for (const char* folder : {".ci", "bin", "framework/cmake", "scenes/a", "scenes/b"}) {
             fs::create_directories(root_ / folder);
         }
@@ -69,19 +69,15 @@ class Scripts : public testing::Test {
     /// called calls_, one a line.
     void sh(const std::string& command) {
         fs::remove(root_ / "calls");
-        const std::string line = "cd " + root_.string() + " && env -i PATH=" + root_.string() +
-                                 "/bin " + command + " 2>&1";
-        std::FILE* pipe = popen(line.c_str(), "r");
-        std::array<char, 4096> buffer;
-        out_.clear();
-        while (const auto n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-            out_.append(buffer.data(), n);
-        }
-        status_ = WEXITSTATUS(pclose(pipe));
+        const std::string line =
+            "cd " + root_.string() + " && env -i PATH=" + root_.string() + "/bin " + command;
+        const Ran ran = shell(line);
+        out_ = ran.text;
+        status_ = ran.status;
         calls_ = fs::exists(root_ / "calls") ? read_text(root_ / "calls") : "";
     }
 
-    fs::path root_;
+    fs::path root_ = own_folder();
     std::string out_, calls_;
     int status_ = -1;
 };
@@ -214,6 +210,21 @@ TEST_F(Scripts, HelpWithoutDoingAnything) {
         EXPECT_EQ(calls_, "");
     }
 }
+
+class Documents : public testing::TestWithParam<const char*> {};
+
+TEST_P(Documents, NameOnlyScenesThatExist) {
+    const fs::path root = LUCH_SOURCE_DIR;
+    const std::string text = read_text(root / GetParam());
+    const std::regex scene(R"(scenes/\w+/\w+\.scene)");
+    const std::sregex_iterator first(text.begin(), text.end(), scene), none;
+    EXPECT_NE(first, none);
+    for (auto name = first; name != none; ++name) {
+        EXPECT_TRUE(fs::exists(root / name->str())) << name->str();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(House, Documents, testing::Values("README.md", "run"));
 
 }  // namespace
 }  // namespace luch

@@ -1,8 +1,8 @@
 #include "tests/layering/rules.h"
+#include "tests/testing/own_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
@@ -17,9 +17,8 @@ using testing::IsEmpty;
 /// A copy of this source tree that a test may spoil; removed at the end.
 class Copy {
  public:
-    Copy() : root_(fs::path(testing::TempDir()) / ("luch-layering-" + std::to_string(getpid()))) {
+    Copy() {
         const fs::path source = LUCH_SOURCE_DIR;
-        fs::create_directories(root_);
         for (const char* name : {"CMakeLists.txt", "CMakePresets.json"}) {
             fs::copy(source / name, root_ / name);
         }
@@ -50,7 +49,7 @@ class Copy {
         }
     }
 
-    fs::path root_;
+    fs::path root_ = own_folder();
 };
 
 struct Planted {

@@ -2,8 +2,8 @@
 #include "framework/math/rng.h"
 #include "framework/measure/difference.h"
 #include "framework/measure/metrics.h"
-#include "tests/measure/samples.h"
 #include "tests/testing/own_folder.h"
+#include "tests/testing/shell.h"
 
 #include <gtest/gtest.h>
 
@@ -29,15 +29,14 @@ Image<Rgb> noise(std::uint64_t seed) {
 
 /// Writes two pictures, compares them here and by OpenImageIO's idiff.
 void expect_agreement(const std::string& ending, double tolerance) {
-    if (testing::shell("idiff --help").status != 0) GTEST_SKIP() << "idiff is not installed";
+    if (shell("idiff --help").status != 0) GTEST_SKIP() << "idiff is not installed";
     const auto folder = own_folder();
     const auto a = folder / ("a" + ending), b = folder / ("b" + ending);
     write_displayed(a, noise(1).view());
     write_displayed(b, noise(2).view());
     const Image<Rgb> first = read_picture(a).pixels, second = read_picture(b).pixels;
     const Errors errors = errors_between(first.view(), second.view());
-    const std::string theirs =
-        testing::shell("idiff '" + a.string() + "' '" + b.string() + "'").text;
+    const std::string theirs = shell("idiff '" + a.string() + "' '" + b.string() + "'").text;
     const double rmse = number_after(theirs, "RMS error");
     const double psnr = number_after(theirs, "Peak SNR");
     EXPECT_NEAR(errors.rmse / rmse, 1, tolerance) << theirs;

@@ -1,10 +1,5 @@
 #include "tests/measure/samples.h"
 
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
-
 namespace luch::testing {
 namespace {
 
@@ -55,19 +50,6 @@ std::size_t occurrences(const std::string& text, const std::string& piece) {
         ++count;
     }
     return count;
-}
-
-Ran shell(const std::string& command) {
-    Ran ran;
-    std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    if (pipe == nullptr) return ran;
-    std::array<char, 4096> buffer{};
-    for (std::size_t n; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-        ran.text.append(buffer.data(), n);
-    }
-    const int status = pclose(pipe);
-    if (WIFEXITED(status)) ran.status = WEXITSTATUS(status);
-    return ran;
 }
 
 }  // namespace luch::testing

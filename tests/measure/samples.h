@@ -2,7 +2,6 @@
 
 #include "framework/measure/report.h"
 
-#include <filesystem>
 #include <string>
 
 // What the tests of this folder share.
@@ -14,12 +13,5 @@ LabReport sample_report(const std::string& name);
 
 /// How often a piece of text occurs.
 std::size_t occurrences(const std::string& text, const std::string& piece);
-
-/// What a command printed (both streams) and its exit status.
-struct Ran {
-    int status = -1;
-    std::string text;
-};
-Ran shell(const std::string& command);
 
 }  // namespace luch::testing

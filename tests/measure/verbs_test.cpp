@@ -1,7 +1,7 @@
 #include "framework/base/files.h"
 #include "framework/image/io.h"
-#include "tests/measure/samples.h"
 #include "tests/testing/own_folder.h"
+#include "tests/testing/shell.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -10,27 +10,25 @@ namespace luch {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::Ran;
-using testing::shell;
 
 /// Runs the program in a folder that holds grey.png, lighter.png, wide.png and broken.exr.
 class CompareVerb : public ::testing::Test {
  protected:
-    CompareVerb() : folder(own_folder()) {
-        write_picture(folder / "grey.png", Image<Rgb>({4, 4}, Rgb(0.2f)).view());
-        write_picture(folder / "lighter.png", Image<Rgb>({4, 4}, Rgb(0.3f)).view());
-        write_picture(folder / "wide.png", Image<Rgb>({5, 4}, Rgb(0.3f)).view());
+    CompareVerb() {
+        write_picture(folder_ / "grey.png", Image<Rgb>({4, 4}, Rgb(0.2f)).view());
+        write_picture(folder_ / "lighter.png", Image<Rgb>({4, 4}, Rgb(0.3f)).view());
+        write_picture(folder_ / "wide.png", Image<Rgb>({5, 4}, Rgb(0.3f)).view());
         Image<Rgb> broken({4, 4}, Rgb(0.2f));
         broken(3, 2) = Rgb(std::numeric_limits<float>::quiet_NaN());
-        write_picture(folder / "broken.exr", broken.view());
+        write_picture(folder_ / "broken.exr", broken.view());
     }
-    ~CompareVerb() override { std::filesystem::remove_all(folder); }
+    ~CompareVerb() override { std::filesystem::remove_all(folder_); }
 
     [[nodiscard]] Ran luch_compare(const std::string& arguments) const {
-        return shell("cd '" + folder.string() + "' && '" LUCH_PROGRAM "' compare " + arguments);
+        return shell("cd '" + folder_.string() + "' && '" LUCH_PROGRAM "' compare " + arguments);
     }
 
-    const std::filesystem::path folder;
+    std::filesystem::path folder_ = own_folder();
 };
 
 TEST_F(CompareVerb, EndsWithZeroForAComparisonWithoutALimit) {
@@ -86,8 +84,8 @@ TEST_F(CompareVerb, WritesTheDifferenceAndJson) {
     EXPECT_EQ(ran.status, 0) << ran.text;
     EXPECT_THAT(ran.text, HasSubstr("2 × amplified"));
     const float off = 2 * (byte_of(srgb_encoded(0.3f)) - byte_of(srgb_encoded(0.2f))) / 255.0f;
-    EXPECT_NEAR(read_picture(folder / "off.png").pixels(1, 1).r, off, 1e-6);
-    const std::string json = read_text(folder / "o.json");
+    EXPECT_NEAR(read_picture(folder_ / "off.png").pixels(1, 1).r, off, 1e-6);
+    const std::string json = read_text(folder_ / "o.json");
     for (const char* key : {"rmse", "psnr", "max", "p999", "relmse", "non_finite"}) {
         EXPECT_THAT(json, HasSubstr(fmt::format("\"{}\": ", key)));
     }
