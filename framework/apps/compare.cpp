@@ -79,7 +79,8 @@ class Compare final : public Verb {
                "  luch compare truth.exr fast.exr --fail-above rmse=0.01 --fail-above max=0.2\n"
                "The first is the reference. Two .exr or .hdr files compare in linear light, all "
                "else "
-               "as\ndisplayed (sRGB, clamped to 0..1), unless --linear is given. A picture is\n"
+               "as\ndisplayed (sRGB, clamped to 0..1), unless --linear or --displayed is given. A "
+               "picture is\n"
                "told from a technique by the catalogue: write ./NAME for a file called as one.\n";
     }
     void declare(Arguments& arguments) override {
@@ -87,6 +88,7 @@ class Compare final : public Verb {
         arguments.positional("B", b_, "what is compared with it: a picture or a technique");
         arguments.positional("SCENE", scene_, "a scene file, when A or B is a technique", false);
         arguments.flag("--linear", linear_, "compare in linear light");
+        arguments.flag("--displayed", displayed_, "compare as displayed, also .exr and .hdr files");
         arguments.option("--difference", difference_, "FILE", "write |A − B|, amplified");
         arguments.option("--amplify", amplify_, "X", "by how much [10]");
         arguments.option("--fail-above", above_, "METRIC=VALUE",
@@ -114,7 +116,7 @@ class Compare final : public Verb {
     std::vector<std::string> above_, below_;
     double amplify_ = 10;
     int frames_ = 3;
-    bool linear_ = false;
+    bool linear_ = false, displayed_ = false;
     SceneOptions options_;
 };
 
@@ -250,7 +252,9 @@ int Compare::run() {
     // A frame is compared as people see it, unless light itself is asked about.
     std::optional<Encoding> wanted;
     if (a.outcome || b.outcome) wanted = Encoding::srgb;
+    if (linear_ && displayed_) throw Error("--linear and --displayed: choose one of the two");
     if (linear_) wanted = Encoding::linear;
+    if (displayed_) wanted = Encoding::srgb;
     const ComparablePair pair = comparable(a.picture, b.picture, wanted);
     const Errors errors = errors_between(pair.reference.view(), pair.image.view());
     report(a, b, pair, errors);

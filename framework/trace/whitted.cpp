@@ -77,7 +77,7 @@ struct MaterialShader {
     }
 
     Rgb operator()(const Reflection& material) const {
-        if (material.multiplier == Rgb(0) || depth >= scene.settings.max_depth) return Rgb(0);
+        if (material.multiplier == Rgb(0)) return Rgb(0);
         const Key bounce = key.branch(reflection);
         if (material.glossiness >= 1) {
             return material.multiplier *

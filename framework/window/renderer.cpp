@@ -101,7 +101,7 @@ void Renderer::loop() {
         } catch (...) {
             failure = std::current_exception();
         }
-        finish(job, std::move(result), failure);
+        finish(job, std::move(result), std::move(failure));
     }
 }
 

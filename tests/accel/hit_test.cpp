@@ -50,20 +50,27 @@ TEST(EdgeSign, HoldsAtScalesWhereFloatsOverflowAndUnderflow) {
     }
 }
 
-TEST(Slab, LetsARayInAFaceOrAnEdgePass) {
+TEST(Slab, LetsARayInAFaceOrAnEdgePassWhicheverAxisItFollows) {
     const Box box{{-1, -1, -1}, {1, 1, 1}};
-    for (const float zero : {0.0f, -0.0f}) {
-        for (const double side : {-1.0, 1.0}) {
-            const Ray in_face{{side, 0, -5}, {zero, zero, 1}};
-            const Interval face = slab(box, object_ray(in_face));
-            EXPECT_LE(face.near, face.far);
-            EXPECT_EQ(face.near, 4);
-            const Ray in_edge{{side, side, -5}, {zero, zero, 1}};
-            const Interval edge = slab(box, object_ray(in_edge));
-            EXPECT_LE(edge.near, edge.far);
-            const Ray beside{{side * 1.001, 0, -5}, {zero, zero, 1}};
-            const Interval miss = slab(box, object_ray(beside));
-            EXPECT_GT(miss.near, miss.far);
+    for (int axis = 0; axis < 3; ++axis) {
+        const int second = (axis + 1) % 3, third = (axis + 2) % 3;
+        for (const double zero : {0.0, -0.0}) {
+            for (const double side : {-1.0, 1.0}) {
+                Ray in_face{Vec3d(0), Vec3d(zero)};
+                in_face.direction[axis] = 1;
+                in_face.origin[axis] = -5;
+                Ray beside = in_face, in_edge = in_face;
+                in_face.origin[second] = side;
+                in_edge.origin[second] = in_edge.origin[third] = side;
+                beside.origin[third] = side * 1.001;
+                for (const Ray& ray : {in_face, in_edge}) {
+                    const Interval interval = slab(box, object_ray(ray));
+                    EXPECT_EQ(interval.near, 4);
+                    EXPECT_GE(interval.far, 6);
+                }
+                const Interval miss = slab(box, object_ray(beside));
+                EXPECT_GT(miss.near, miss.far);
+            }
         }
     }
 }

@@ -38,6 +38,14 @@ TEST_F(CompareVerb, EndsWithZeroForAComparisonWithoutALimit) {
     EXPECT_THAT(ran.text, HasSubstr("16 of 16 pixels differ"));
 }
 
+TEST_F(CompareVerb, ComparesAsIsAskedFor) {
+    EXPECT_THAT(luch_compare("broken.exr broken.exr").text, HasSubstr("in linear light"));
+    EXPECT_THAT(luch_compare("broken.exr broken.exr --displayed").text,
+                HasSubstr("as displayed (sRGB"));
+    EXPECT_THAT(luch_compare("grey.png lighter.png --linear").text, HasSubstr("in linear light"));
+    EXPECT_EQ(luch_compare("grey.png lighter.png --linear --displayed").status, 2);
+}
+
 TEST_F(CompareVerb, EndsWithOneWhenALimitIsExceededAndOnlyThen) {
     EXPECT_EQ(luch_compare("grey.png lighter.png --fail-above rmse=0.5").status, 0);
     const Ran ran =

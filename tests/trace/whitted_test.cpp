@@ -64,6 +64,16 @@ TEST(Whitted, PutsAShadowWhereTheLightIsBlocked) {
     expect_near(seen(scene, down_at_origin).colour, Rgb(0));
 }
 
+TEST(Whitted, TakesNoLightFromBehindASurface) {
+    Scene scene = lit_floor(Lambert{});
+    std::get<PointLight>(scene.lights[0]).position.y = -2;
+    expect_near(seen(scene, down_at_origin).colour, Rgb(0));
+    EXPECT_EQ(seen(scene, down_at_origin).counts.of(RayKind::shadow), 0u);
+    const Result forced = seen(scene, down_at_origin, {});
+    expect_near(forced.colour, Rgb(0));
+    EXPECT_EQ(forced.counts.of(RayKind::shadow), 1u);
+}
+
 TEST(Whitted, AddsAmbientLightEverywhere) {
     Scene scene = lit_floor(Lambert{.color = Rgb(0.5f)});
     scene.lights.clear();

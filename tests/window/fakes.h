@@ -21,8 +21,8 @@ struct FakeStudio {
     static Scene sphere_scene() {
         Scene scene;
         scene.camera.position = {0, 0, -4};
-        scene.geometries.push_back(Sphere{});
-        scene.materials.push_back(Const{});
+        scene.geometries.emplace_back(Sphere{});
+        scene.materials.emplace_back(Const{});
         add_node(scene, "ball", 0, 0, Transform{});
         return scene;
     }

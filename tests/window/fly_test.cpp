@@ -106,8 +106,8 @@ TEST(Fly, SpeedFollowsTheSizeOfTheScene) {
     const auto scene_at = [](double scale) {
         Scene scene;
         scene.camera.position = {0, 0, -4 * scale};
-        scene.geometries.push_back(Sphere{{0, 0, 0}, scale, 1});
-        scene.materials.push_back(Const{});
+        scene.geometries.emplace_back(Sphere{{0, 0, 0}, scale, 1});
+        scene.materials.emplace_back(Const{});
         add_node(scene, "ball", 0, 0, Transform{});
         return scene;
     };
@@ -118,8 +118,8 @@ TEST(Fly, SpeedFollowsTheSizeOfTheScene) {
 TEST(Fly, SpeedIsFiniteWhateverTheScene) {
     Scene scene;
     EXPECT_GT(flying_speed(scene), 0);
-    scene.geometries.push_back(Plane{});
-    scene.materials.push_back(Const{});
+    scene.geometries.emplace_back(Plane{});
+    scene.materials.emplace_back(Const{});
     add_node(scene, "floor", 0, 0, Transform{});
     EXPECT_GT(flying_speed(scene), 0);
     EXPECT_TRUE(std::isfinite(flying_speed(scene)));
