@@ -171,7 +171,7 @@ TEST_F(Scripts, RunTheLabOnEveryScene) {
     sh("./run");
     EXPECT_EQ(status_, 0) << out_;
     EXPECT_THAT(out_, EndsWith("luch lab scenes/a/a.scene scenes/b/b.scene -t baseline,vista "
-                               "--quick --out out/lab in " +
+                               "--quick --size 320x240 --out out/lab in " +
                                root_.string() + "\n"));
 }
 
