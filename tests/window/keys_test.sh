@@ -34,30 +34,42 @@ until_so() {
     done
     fail "$what"
 }
+# insist WHAT KEY COMMAND…: presses a key until the command succeeds: a key that is pressed while the
+# window is still being mapped reaches nobody.
+insist() {
+    local what=$1 key=$2 turn
+    shift 2
+    for turn in $(seq 600); do
+        [ $((turn % 30)) = 1 ] && xdotool key "$key"
+        "$@" >/dev/null 2>&1 && return
+        sleep 0.1
+    done
+    fail "$what"
+}
 said() { grep -q -- "$1" "$folder/out.txt"; }
+saved() { grep -c "^saved " "$folder/out.txt"; }
+more_saved_than() { [ "$(saved)" -gt "$1" ]; }
+ended() { ! kill -0 "$viewer"; }
 start() {
     (cd "$folder" && exec "$luch" view "$scene" "$@" >out.txt 2>err.txt) &
     viewer=$!
-    until_so "no window opens" xdotool search --name "luch view"
+    until_so "no window opens" xdotool search --onlyvisible --name "luch view"
     xdotool mousemove 400 300
 }
 quit_with_escape() {
-    xdotool key Escape
+    insist "Escape does not quit" Escape ended
     wait "$viewer"
     local status=$?
     viewer=
     [ $status = 0 ] || fail "Escape: exit status $status"
 }
 # F12 saves a picture; `camera` is then what it shows.
-pictures=0
 take_picture() {
-    local name
-    name=$(printf 'luch-view-%03d.png' $pictures)
-    xdotool key F12
-    until_so "F12 saves no picture $name" said "$name"
-    [ -s "$folder/$name" ] || fail "$name is empty"
-    camera=$(sed -n "s/.*$name.*--camera //p" "$folder/out.txt")
-    pictures=$((pictures + 1))
+    insist "F12 saves no picture" F12 more_saved_than "$(saved)"
+    local last
+    last=$(grep "^saved " "$folder/out.txt" | tail -n 1)
+    [ -s "$folder/$(sed 's/^saved //; s/;.*//' <<<"$last")" ] || fail "the picture is empty: $last"
+    camera=$(sed -n 's/.*--camera //p' <<<"$last")
 }
 # The frame is made in the background, so that the picture may be late.
 until_camera() {
@@ -83,8 +95,7 @@ xdotool mousemove 390 290 mousedown 1 mousemove 410 300 mouseup 1
 until_camera "dragging does not turn the camera" != "$moved"
 xdotool key Home
 until_camera "Home does not lead back" = "$first"
-xdotool key F5
-until_so "F5 times nothing" said "timed: baseline"
+insist "F5 times nothing" F5 said "timed: baseline"
 xdotool key Tab c F1 p
 take_picture
 quit_with_escape
