@@ -16,9 +16,10 @@ float srgb_decoded(float encoded);
 Rgb srgb_encoded(const Rgb& linear);
 Rgb srgb_decoded(const Rgb& encoded);
 
-/// A channel in 0..1 as 8 bits, rounded to nearest.
+/// A channel in 0..1 as 8 bits, rounded to nearest; what lies outside is clamped, NaN gives 0.
 [[nodiscard]] inline std::uint8_t byte_of(float channel) {
-    return static_cast<std::uint8_t>(std::clamp(channel, 0.0f, 1.0f) * 255.0f + 0.5f);
+    return static_cast<std::uint8_t>((channel > 0 ? std::min(channel, 1.0f) : 0.0f) * 255.0f +
+                                     0.5f);
 }
 
 }  // namespace luch

@@ -91,7 +91,7 @@ Outcome SceneLab::run_baseline(int spp, std::uint64_t seed, Repeat repeat) const
 
 std::filesystem::path SceneLab::written(const std::string& name, ImageView<const Rgb> shown) const {
     if (options_->pictures.empty()) return {};
-    const auto file = options_->pictures / (file_name(scene_->name + " " + name) + ".png");
+    auto file = options_->pictures / (file_name(scene_->name + " " + name) + ".png");
     write_displayed(file, shown);
     return file;
 }

@@ -19,9 +19,10 @@ struct LightSample {
 
 /// The light's square is cut into cells, with one jittered point in each.
 LightSample sample_of(const RectLight& light, int cell, Key key, const Vec3d& target) {
+    const int column = cell % light.x_samples, row = cell / light.x_samples;
     const Vec2d inside = key.square(cell);
-    const double x = (cell % light.x_samples + inside.x) / light.x_samples - 0.5;
-    const double z = (cell / light.x_samples + inside.y) / light.y_samples - 0.5;
+    const double x = (column + inside.x) / light.x_samples - 0.5;
+    const double z = (row + inside.y) / light.y_samples - 0.5;
     const double orientation = glm::determinant(light.to_world.matrix) < 0 ? -1 : 1;
     const Vec3d facing =
         orientation * glm::normalize(glm::cross(light.to_world.direction({1, 0, 0}),

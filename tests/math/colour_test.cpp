@@ -33,6 +33,9 @@ TEST(Srgb, ClampsWhatADisplayCannotShow) {
 
 TEST(ByteOf, RoundsToNearest) {
     EXPECT_EQ(byte_of(0.49f / 255), 0);
+    EXPECT_EQ(byte_of(std::numeric_limits<float>::quiet_NaN()), 0);
+    EXPECT_EQ(byte_of(-std::numeric_limits<float>::infinity()), 0);
+    EXPECT_EQ(byte_of(std::numeric_limits<float>::infinity()), 255);
     EXPECT_EQ(byte_of(0.51f / 255), 1);
     EXPECT_EQ(byte_of(254.49f / 255), 254);
     EXPECT_EQ(byte_of(254.51f / 255), 255);

@@ -60,7 +60,7 @@ fs::path Assets::path(Properties& block, const Property& property) const {
                                              "scene, below the root that --root sets",
                                              shown(name)));
     }
-    const fs::path file = (folder_ / name).lexically_normal();
+    fs::path file = (folder_ / name).lexically_normal();
     if (!inside_root(file)) {
         block.diagnostics().fail(property.line,
                                  fmt::format("{} lies outside the root {}; move it there, or name "

@@ -38,6 +38,7 @@ std::uint32_t NameTable::find(Kind kind, const std::string& name, int line,
         }
     }
     std::vector<std::string_view> candidates;
+    candidates.reserve(entries.size());
     for (const auto& [candidate, entry] : entries) candidates.emplace_back(candidate);
     const auto shortened = std::string_view(name).substr(0, 64);
     diagnostics.fail(line, problem + "; " + did_you_mean(shortened, candidates));
