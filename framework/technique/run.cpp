@@ -27,9 +27,12 @@ class Stopwatch {
     double cpu_ = process_ms();
 };
 
+/// A frame so long that one of them must do.
+constexpr double endless_ms = 30'000;
+
 /// How many frames in all, once the time of one is known.
 int frames_worth(int asked, double first_ms) {
-    if (first_ms > 30'000) return 1;
+    if (first_ms > endless_ms) return 1;
     return first_ms > 2'000 ? std::min(asked, 3) : asked;
 }
 
@@ -50,8 +53,8 @@ Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const 
     outcome.prepare_ms = preparing.wall_ms();
     context.take_counts();
 
-    // A warm-up frame is timed like any other, to know how many are worth making; a slow one
-    // counts.
+    // A warm-up frame is timed like any other, to know how many are worth making; one that is too
+    // long to be made again counts.
     int wanted = repeat.frames;
     for (int made = -repeat.warm_up; made < wanted && !context.cancelled(); ++made) {
         const Stopwatch frame;
@@ -59,7 +62,7 @@ Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const 
         const double wall = frame.wall_ms(), cpu = frame.cpu_ms();
         outcome.counts = context.take_counts();
         wanted = frames_worth(wanted, wall);
-        if (made < 0 && wanted > 1) continue;
+        if (made < 0 && wall <= endless_ms) continue;
         if (made < 0) made = 0;
         outcome.frame_ms.push_back(wall);
         outcome.cpu_ms.push_back(cpu);

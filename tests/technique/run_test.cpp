@@ -45,6 +45,14 @@ TEST(Run, WarmsUpAndThenMakesTheFramesAskedFor) {
     EXPECT_EQ(outcome.cpu_ms.size(), 7u);
 }
 
+TEST(Run, WarmsUpBeforeASingleFrame) {
+    const testing::OwnStudio studio(testing::empty_scene());
+    Fake fake;
+    const Outcome outcome = run(fake, studio.studio(), shot_of(studio.scene()), {}, {1, 1});
+    EXPECT_EQ(fake.frames, 2);
+    EXPECT_EQ(outcome.frame_ms.size(), 1u);
+}
+
 TEST(Run, CountsTheRaysOfOneFrameOverAllThreads) {
     for (const int threads : {1, 2, 16}) {
         const testing::OwnStudio studio(testing::empty_scene(), threads);
