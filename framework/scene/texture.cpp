@@ -33,7 +33,9 @@ Rgb colour_of(const CheckerTexture& checker, const Vec2d& uv) {
     return std::fmod(squares, 2) == 0 ? checker.color1 : checker.color2;
 }
 Rgb colour_of(const BitmapTexture& bitmap, const Vec2d& uv) {
-    return sampled(bitmap.pixels, uv.x / bitmap.scaling, uv.y / bitmap.scaling);
+    return sampled(bitmap.pixels,
+                   uv.x / bitmap.scaling - bitmap.texel_centre / bitmap.pixels.width(),
+                   uv.y / bitmap.scaling - bitmap.texel_centre / bitmap.pixels.height());
 }
 Rgb colour_of(const BumpTexture&, const Vec2d&) {
     return Rgb(0);

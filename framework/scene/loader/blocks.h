@@ -7,7 +7,8 @@
 #include <vector>
 
 /// One function a class of block; each adds what it reads to the scene. Geometries, textures and
-/// shaders are read before all others, so their indices are those of the NameTable.
+/// shaders are read before all others, so their indices are those of the NameTable; the textures
+/// and materials that come with a mesh's file stand behind the named ones.
 namespace luch::loader {
 
 /// A scene half-way.
@@ -17,6 +18,8 @@ struct Loading {
     NameTable names;
     Scene scene;
     std::vector<int> material_lines;  ///< of Scene::materials
+    /// What mesh files bring; Mesh::materials are indices into it until all shaders are read.
+    std::vector<Material> file_materials;
     bool has_settings = false;
     bool has_camera = false;
 };
@@ -36,6 +39,8 @@ void read_plane(Properties& block, Loading& loading);
 void read_sphere(Properties& block, Loading& loading);
 void read_cube(Properties& block, Loading& loading);
 void read_mesh(Properties& block, Loading& loading);
+/// Puts the materials of meshes' files behind the named ones. Call it once, after all shaders.
+void add_file_materials(Loading& loading);
 
 // materials.cpp
 void read_lambert(Properties& block, Loading& loading);
