@@ -4,6 +4,7 @@
 #include "scenes/generator/sky.h"
 #include "scenes/generator/teapot.h"
 #include "scenes/generator/textures.h"
+#include "scenes/generator/toys.h"
 
 namespace luch::assets {
 namespace {
@@ -28,6 +29,8 @@ std::vector<Asset> all_assets() {
     for (const auto& [side, image] : evening_sky(64)) {
         assets.push_back({"mirrors/sky/" + side + ".bmp", bmp_bytes(image)});
     }
+    assets.push_back({"toys/toy_windmill.glb", glb_bytes(toy_windmill())});
+    for (Asset& file : gltf_files(toy_train(), "toys/toy_train")) assets.push_back(std::move(file));
     return assets;
 }
 
