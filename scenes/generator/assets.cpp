@@ -1,5 +1,7 @@
 #include "scenes/generator/assets.h"
 
+#include "scenes/generator/forest.h"
+#include "scenes/generator/many_lights.h"
 #include "scenes/generator/sixty_spheres.h"
 #include "scenes/generator/sky.h"
 #include "scenes/generator/teapot.h"
@@ -23,6 +25,7 @@ std::vector<Asset> all_assets() {
         {"room/plaster.bmp", bmp_bytes(plaster({256, 256}))},
         {"room/landscape.bmp", bmp_bytes(landscape({160, 104}))},
         {"spheres/spheres.scene", sixty_spheres_scene()},
+        {"many_lights/many_lights.scene", many_lights_scene()},
         {"mirrors/teapot.obj", obj_text(teapot(6), about_teapot)},
         {"mirrors/hammered.bmp", bmp_bytes(hammered({128, 128}))},
     };
@@ -31,6 +34,7 @@ std::vector<Asset> all_assets() {
     }
     assets.push_back({"toys/toy_windmill.glb", glb_bytes(toy_windmill())});
     for (Asset& file : gltf_files(toy_train(), "toys/toy_train")) assets.push_back(std::move(file));
+    for (Asset& file : forest_files()) assets.push_back(std::move(file));
     return assets;
 }
 
