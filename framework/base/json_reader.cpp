@@ -22,8 +22,11 @@ int line_of(std::string_view text, std::size_t byte) {
 
 json parsed(std::string_view text, const std::string& file) {
     constexpr int deepest = 256;
-    const auto check_depth = [&](int depth, json::parse_event_t, json&) {
-        if (depth > deepest) throw Error({file}, "nests its JSON deeper than 256; flatten it");
+    const auto check_depth = [&](int depth, json::parse_event_t event, json&) {
+        const bool opens =
+            event == json::parse_event_t::object_start || event == json::parse_event_t::array_start;
+        if (opens && depth >= deepest)
+            throw Error({file}, "nests its JSON deeper than 256; flatten it");
         return true;
     };
     try {

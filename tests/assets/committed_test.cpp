@@ -23,19 +23,27 @@ TEST(CommittedAssets, AreWhatTheGeneratorWrites) {
     std::filesystem::remove_all(folder);
 }
 
-TEST(CommittedAssets, StaySmall) {
+/// The bytes of some scenes' folders.
+std::uintmax_t bytes_of(std::initializer_list<const char*> names) {
     std::uintmax_t bytes = 0;
-    for (const char* scene : {"room", "spheres", "mirrors"}) {
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(scenes / scene)) {
+    for (const char* name : names) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(scenes / name)) {
             if (entry.is_regular_file()) bytes += entry.file_size();
         }
     }
+    return bytes;
+}
+
+TEST(CommittedAssets, StaySmall) {
+    const std::uintmax_t bytes = bytes_of({"room", "spheres", "mirrors"});
     EXPECT_GT(bytes, 0u);
     EXPECT_LE(bytes, 1500000u);
+    EXPECT_LE(bytes_of({"toys", "many_lights"}), 500000u);
+    EXPECT_LE(bytes_of({"forest"}), 3000000u);
 }
 
 TEST(CommittedAssets, HaveALicenceInEveryScene) {
-    for (const char* scene : {"room", "spheres", "mirrors"}) {
+    for (const char* scene : {"room", "spheres", "mirrors", "toys", "many_lights", "forest"}) {
         EXPECT_NE(read_text(scenes / scene / "LICENSE").find("CC0"), std::string::npos) << scene;
     }
 }

@@ -48,6 +48,13 @@ TEST(OwnScenes, LoadWithoutAWarning) {
     }
 }
 
+TEST(OwnScenes, OfModelsAndManyNodesLoadWithoutAWarning) {
+    for (const char* name : {"toys", "many_lights", "forest"}) {
+        const Loaded scene = loaded(name);
+        EXPECT_TRUE(scene.warnings.empty()) << name << ": " << scene.warnings.front();
+    }
+}
+
 TEST(Room, IsClosed) {
     EXPECT_EQ(rays_that_escape(loaded("room").scene), 0);
     EXPECT_GT(rays_that_escape(loaded("mirrors").scene), 0);
