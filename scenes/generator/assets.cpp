@@ -1,6 +1,7 @@
 #include "scenes/generator/assets.h"
 
 #include "scenes/generator/forest.h"
+#include "scenes/generator/lathe.h"
 #include "scenes/generator/many_lights.h"
 #include "scenes/generator/sixty_spheres.h"
 #include "scenes/generator/sky.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr const char* about_teapot =
     "The Utah teapot from M. Newell's control points (1975). Written by luch_assets.";
+constexpr const char* about_glass = "A surface of revolution. Written by luch_assets.";
 
 }  // namespace
 
@@ -27,6 +29,10 @@ std::vector<Asset> all_assets() {
         {"spheres/spheres.scene", sixty_spheres_scene()},
         {"many_lights/many_lights.scene", many_lights_scene()},
         {"mirrors/teapot.obj", obj_text(teapot(6), about_teapot)},
+        {"glass/tumbler.obj", obj_text(tumbler(48), about_glass)},
+        {"glass/drink.obj", obj_text(tumbler_drink(48), about_glass)},
+        {"glass/wine_glass.obj", obj_text(wine_glass(48), about_glass)},
+        {"glass/wine.obj", obj_text(wine(48), about_glass)},
         {"mirrors/hammered.bmp", bmp_bytes(hammered({128, 128}))},
     };
     for (const auto& [side, image] : evening_sky(64)) {
