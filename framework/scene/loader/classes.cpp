@@ -12,6 +12,9 @@ namespace {
 constexpr BlockClass classes[] = {
     {"GlobalSettings", Kind::other, read_settings},
     {"Camera", Kind::other, read_camera},
+    {"FisheyeCamera", Kind::other, read_fisheye_camera},
+    {"SphericalCamera", Kind::other, read_spherical_camera},
+    {"OrthographicCamera", Kind::other, read_orthographic_camera},
     {"PointLight", Kind::other, read_point_light},
     {"RectLight", Kind::other, read_rect_light},
     {"Plane", Kind::geometry, read_plane},
@@ -49,9 +52,6 @@ constexpr std::string_view not_read_yet[] = {
     "Fresnel",
     "SpotLight",
     "DirectionalLight",
-    "FisheyeCamera",
-    "SphericalCamera",
-    "OrthographicCamera",
     "ConstantEnvironment",
 };
 
