@@ -22,14 +22,18 @@ double reach_of(const RayLog& log) {
     return reach > 0 ? reach : 1;
 }
 
-/// Both ends of a ray; of a shadow ray up to the point that asks for light, whatever is between.
-std::pair<Vec3d, Vec3d> ends_of(const LoggedRay& ray, double reach) {
-    const double length = glm::length(ray.ray.direction);
-    const double t = ray.fate == LoggedRay::blocked ? ray.ray.t_max
-                     : std::isfinite(ray.t)         ? ray.t
-                                                    : reach / (length > 0 ? length : 1);
-    return {ray.ray.origin, ray.ray.at(t)};
-}
+/// A ray as it is drawn, from 0 to `t`: a blocked shadow ray whole, whatever is between.
+struct Drawn {
+    const LoggedRay& ray;
+    double t;
+
+    Drawn(const LoggedRay& logged, double reach) : ray(logged) {
+        const double length = glm::length(ray.ray.direction);
+        t = ray.fate == LoggedRay::blocked ? ray.ray.t_max : ray.t;
+        if (!std::isfinite(t)) t = reach / (length > 0 ? length : 1);
+    }
+    [[nodiscard]] Vec3d at(double part) const { return ray.ray.at(part * t); }
+};
 
 /// Whether nothing lies between the eye and a point.
 bool visible(const Accelerator& accelerator, const Vec3d& eye, const Vec3d& point) {
@@ -48,7 +52,7 @@ double worth(const LoggedRay& ray, const Accelerator& accelerator, const Screen&
     std::optional<Vec2d> first, last;
     double seen = 0;
     for (int k = 0; k <= points; ++k) {
-        const Vec3d point = from + (to - from) * (double(k) / points);
+        const Vec3d point = drawn.at(double(k) / points);
         const auto at = screen.project(screen.to_view(point));
         if (!at) continue;
         // The frame's border is no good place.
@@ -88,18 +92,18 @@ double worth(const RayLog& log, const Accelerator& accelerator, const Screen& sc
 void add_strokes(const LoggedRay& ray, int index, double reach, const Accelerator& accelerator,
                  const Screen& screen, std::vector<RayStroke>& strokes) {
     constexpr int pieces = 192;
-    const auto [from, to] = ends_of(ray, reach);
-    const double blocked_from = ray.fate == LoggedRay::blocked ? ray.t / ray.ray.t_max : 2;
+    const Drawn drawn(ray, reach);
+    const double blocked_from = ray.fate == LoggedRay::blocked ? ray.t / drawn.t : 2;
     bool joined = false;
     for (int k = 0; k < pieces; ++k) {
         const double t0 = double(k) / pieces, t1 = (k + 1.0) / pieces, middle = (t0 + t1) / 2;
-        const auto a = screen.project(screen.to_view(from + (to - from) * t0));
-        const auto b = screen.project(screen.to_view(from + (to - from) * t1));
+        const auto a = screen.project(screen.to_view(drawn.at(t0)));
+        const auto b = screen.project(screen.to_view(drawn.at(t1)));
         if (!a || !b) {
             joined = false;
             continue;
         }
-        const bool hidden = !visible(accelerator, screen.eye(), from + (to - from) * middle);
+        const bool hidden = !visible(accelerator, screen.eye(), drawn.at(middle));
         const bool blocked = middle > blocked_from;
         if (joined && strokes.back().hidden == hidden && strokes.back().blocked == blocked) {
             strokes.back().to_px = *b;
