@@ -47,7 +47,7 @@ bool visible(const Accelerator& accelerator, const Vec3d& eye, const Vec3d& poin
 double worth(const LoggedRay& ray, const Accelerator& accelerator, const Screen& screen,
              double reach) {
     constexpr int points = 16;
-    const auto [from, to] = ends_of(ray, reach);
+    const Drawn drawn(ray, reach);
     const Vec2d frame(screen.size().width, screen.size().height);
     std::optional<Vec2d> first, last;
     double seen = 0;
