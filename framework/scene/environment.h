@@ -4,6 +4,7 @@
 #include "framework/math/colour.h"
 
 #include <array>
+#include <variant>
 
 namespace luch {
 
@@ -15,5 +16,14 @@ struct CubemapEnvironment {
     /// The radiance from a direction of any length.
     [[nodiscard]] Rgb radiance(const Vec3d& direction) const;
 };
+
+/// The same light from everywhere.
+struct ConstantEnvironment {
+    Rgb color{1};
+
+    [[nodiscard]] Rgb radiance(const Vec3d&) const { return color; }
+};
+
+using Environment = std::variant<ConstantEnvironment, CubemapEnvironment>;
 
 }  // namespace luch

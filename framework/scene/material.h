@@ -33,6 +33,18 @@ struct Reflection {
     int samples = 50;
 };
 
+/// A clear surface that bends rays: Snell's law, black where the reflection is total. Inside, light
+/// fades by Beer's law: exp(−absorption · d · (1 − inside_color)) over a length d.
+struct Refraction {
+    Rgb multiplier{0.95f};
+    double ior = 1.33;  ///< of the inside, against the outside's 1
+    Rgb inside_color{1};
+    double absorption = 0;  ///< per world unit
+
+    /// What is left of light after `distance` world units inside.
+    [[nodiscard]] Rgb transmittance(double distance) const;
+};
+
 /// Materials over one another: c ← c·(1 − blend) + shader·blend, first layer first.
 struct Layered {
     struct Layer {
@@ -54,6 +66,6 @@ struct Emission {
     Rgb radiance{0};
 };
 
-using Material = std::variant<Lambert, Phong, Reflection, Layered, Const, Emission>;
+using Material = std::variant<Lambert, Phong, Reflection, Refraction, Layered, Const, Emission>;
 
 }  // namespace luch

@@ -9,7 +9,7 @@ NodeId add_node(Scene& scene, std::string name, GeometryId geometry, MaterialId 
         to_world = mesh->from_frame.then(file_to_world);
     }
     scene.nodes.push_back(
-        {std::move(name), geometry, material, bump, to_world, to_world.inverse()});
+        {std::move(name), geometry, material, bump, false, to_world, to_world.inverse()});
     return static_cast<NodeId>(scene.nodes.size() - 1);
 }
 
@@ -25,7 +25,8 @@ void add_rect_light(Scene& scene, std::string name, const RectLight& light) {
 }
 
 Rgb sky_radiance(const Scene& scene, const Vec3d& direction) {
-    return scene.environment ? scene.environment->radiance(direction) : scene.settings.background;
+    if (!scene.environment) return scene.settings.background;
+    return std::visit([&](const auto& sky) { return sky.radiance(direction); }, *scene.environment);
 }
 
 }  // namespace luch

@@ -21,6 +21,7 @@ struct Node {
     GeometryId geometry = 0;
     MaterialId material = 0;
     TextureId bump = no_texture;
+    bool moving = false;  ///< said by the scene, for techniques that keep what stands still
     Transform to_world;   ///< from the geometry's coordinates (a mesh's own frame included)
     Transform to_object;  ///< its inverse
 };
@@ -34,7 +35,7 @@ struct Scene {
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Light> lights;
-    std::optional<CubemapEnvironment> environment;
+    std::optional<Environment> environment;
     std::vector<Node> nodes;  ///< only what is drawn; a NodeId is an index into this
 };
 

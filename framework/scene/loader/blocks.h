@@ -34,7 +34,12 @@ void read_camera(Properties& block, Loading& loading);
 void read_checker(Properties& block, Loading& loading);
 void read_bitmap(Properties& block, Loading& loading);
 void read_bump(Properties& block, Loading& loading);
+void read_bumps(Properties& block, Loading& loading);
+void read_fresnel(Properties& block, Loading& loading);
+
+// environments.cpp
 void read_cubemap(Properties& block, Loading& loading);
+void read_constant_environment(Properties& block, Loading& loading);
 
 // geometries.cpp
 void read_plane(Properties& block, Loading& loading);
@@ -55,15 +60,24 @@ void unfold_solids(Loading& loading);
 void read_lambert(Properties& block, Loading& loading);
 void read_phong(Properties& block, Loading& loading);
 void read_reflection(Properties& block, Loading& loading);
+void read_refraction(Properties& block, Loading& loading);
 void read_layered(Properties& block, Loading& loading);
 void read_const(Properties& block, Loading& loading);
 /// Throws Error when layers contain themselves, are nested deeper than 256, or unfold to more than
 /// 4,096 shaders.
 void check_layers(const Loading& loading);
 
-// nodes.cpp
+// lights.cpp
 void read_point_light(Properties& block, Loading& loading);
+void read_spot_light(Properties& block, Loading& loading);
+void read_directional_light(Properties& block, Loading& loading);
 void read_rect_light(Properties& block, Loading& loading);
+
+// nodes.cpp
 void read_node(Properties& block, Loading& loading);
+/// The lines scale, rotate and translate. Throws Error when they flatten anything.
+Transform transform_of(Properties& block);
+/// Throws Error when the scene has as many nodes as it may.
+void check_count(Properties& block, const Loading& loading);
 
 }  // namespace luch::loader

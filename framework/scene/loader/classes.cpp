@@ -14,6 +14,8 @@ constexpr BlockClass classes[] = {
     {"Camera", Kind::other, read_camera},
     {"PointLight", Kind::other, read_point_light},
     {"RectLight", Kind::other, read_rect_light},
+    {"SpotLight", Kind::other, read_spot_light},
+    {"DirectionalLight", Kind::other, read_directional_light},
     {"Plane", Kind::geometry, read_plane},
     {"Sphere", Kind::geometry, read_sphere},
     {"Cube", Kind::geometry, read_cube},
@@ -32,27 +34,25 @@ constexpr BlockClass classes[] = {
     {"Phong", Kind::shader, read_phong},
     {"Reflection", Kind::shader, read_reflection},
     {"Refl", Kind::shader, read_reflection},
+    {"Refraction", Kind::shader, read_refraction},
+    {"Refr", Kind::shader, read_refraction},
     {"Layered", Kind::shader, read_layered},
     {"Const", Kind::shader, read_const},
     {"CheckerTexture", Kind::texture, read_checker},
     {"Checker", Kind::texture, read_checker},
     {"BitmapTexture", Kind::texture, read_bitmap},
     {"BumpTexture", Kind::texture, read_bump},
+    {"Bumps", Kind::texture, read_bumps},
+    {"Fresnel", Kind::texture, read_fresnel},
+    {"ConstantEnvironment", Kind::other, read_constant_environment},
     {"CubemapEnvironment", Kind::other, read_cubemap},
     {"Node", Kind::node, read_node},
 };
 
 constexpr std::string_view not_read_yet[] = {
-    "Refraction",
-    "Refr",
-    "Bumps",
-    "Fresnel",
-    "SpotLight",
-    "DirectionalLight",
     "FisheyeCamera",
     "SphericalCamera",
     "OrthographicCamera",
-    "ConstantEnvironment",
 };
 
 }  // namespace

@@ -14,8 +14,8 @@ void add(Loading& loading, Properties& block, Material material) {
 /// A texture that has a colour.
 TextureId coloured_texture(const std::string& name, int line, const Loading& loading) {
     const TextureId id = loading.names.find(Kind::texture, name, line, loading.diagnostics);
-    if (std::holds_alternative<BumpTexture>(loading.scene.textures[id])) {
-        loading.diagnostics.fail(line, fmt::format("{} is a BumpTexture, which has no colour; "
+    if (is_bump(loading.scene.textures[id])) {
+        loading.diagnostics.fail(line, fmt::format("{} is a bump, which has no colour; "
                                                    "choose a texture of another class",
                                                    shown(name)));
     }
@@ -85,6 +85,15 @@ void read_reflection(Properties& block, Loading& loading) {
     reflection.glossiness = block.number("glossiness", reflection.glossiness, {0, 1});
     reflection.samples = block.integer("numSamples", reflection.samples, {1, 1e6});
     add(loading, block, reflection);
+}
+
+void read_refraction(Properties& block, Loading& loading) {
+    Refraction refraction;
+    refraction.multiplier = multiplied(block, "refrColor", refraction.multiplier);
+    refraction.ior = block.number("ior", refraction.ior, positive);
+    refraction.inside_color = block.color("insideColor", refraction.inside_color);
+    refraction.absorption = block.number("absorption", refraction.absorption, {0, positive.most});
+    add(loading, block, refraction);
 }
 
 void read_layered(Properties& block, Loading& loading) {

@@ -61,10 +61,9 @@ class Parser {
         }
         if (in_block_) {
             const Block& block = blocks_.back();
-            diagnostics_.fail(block.line,
-                              fmt::format("the block {} is never closed; end it with }} "
-                                          "on a line of its own",
-                                          title(block)));
+            diagnostics_.fail(block.line, fmt::format("the block {} is never closed; end it with }} "
+                                                      "on a line of its own",
+                                                      title(block)));
         }
         return std::move(blocks_);
     }

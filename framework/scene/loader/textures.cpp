@@ -17,21 +17,6 @@ double scaling_of(Properties& block, double fallback) {
     return scaling;
 }
 
-/// The side's picture under the first ending that is there.
-std::filesystem::path side_of(Properties& block, const Property& property, const Assets& assets,
-                              std::string_view side) {
-    for (const char* ending : {".bmp", ".png", ".exr", ".hdr"}) {
-        Property named = property;
-        named.value = fmt::format("\"{}/{}{}\"", block.text(property), side, ending);
-        std::filesystem::path file = assets.path(block, named);
-        if (std::filesystem::exists(file)) return file;
-    }
-    block.diagnostics().fail(property.line,
-                             fmt::format("the folder {} has no {} side; put {}.bmp, .png, .exr or "
-                                         ".hdr there",
-                                         shown(block.text(property)), side, side));
-}
-
 }  // namespace
 
 void read_checker(Properties& block, Loading& loading) {
@@ -63,23 +48,16 @@ void read_bump(Properties& block, Loading& loading) {
     loading.scene.textures.emplace_back(std::move(bump));
 }
 
-void read_cubemap(Properties& block, Loading& loading) {
-    const Property& folder = block.required("folder");
-    const double gamma = block.number("assumedGamma", 1, gammas);
-    if (loading.scene.environment) {
-        loading.diagnostics.warn(block.block().line,
-                                 "there is a CubemapEnvironment already, and the first one counts; "
-                                 "remove one of the two");
-        return;
-    }
-    constexpr std::string_view sides[] = {"negx", "negy", "negz", "posx", "posy", "posz"};
-    CubemapEnvironment environment;
-    for (std::size_t i = 0; i < std::size(sides); ++i) {
-        environment.sides[i] =
-            loading.assets.picture(side_of(block, folder, loading.assets, sides[i]), gamma,
-                                   loading.diagnostics.place(folder.line));
-    }
-    loading.scene.environment = std::move(environment);
+void read_bumps(Properties& block, Loading& loading) {
+    Bumps bumps;
+    bumps.strength = block.number("strength", bumps.strength);
+    loading.scene.textures.emplace_back(bumps);
+}
+
+void read_fresnel(Properties& block, Loading& loading) {
+    Fresnel fresnel;
+    fresnel.ior = block.number("ior", fresnel.ior, positive);
+    loading.scene.textures.emplace_back(fresnel);
 }
 
 }  // namespace luch::loader
