@@ -48,7 +48,8 @@ bool inside(const Csg& csg, unsigned in_parts) {
     std::vector<bool> on(csg.wires());
     for (std::size_t i = 0; i < csg.parts.size(); ++i) on[i] = (in_parts >> i & 1) != 0;
     for (std::size_t j = 0; j < csg.gates.size(); ++j) {
-        on[csg.parts.size() + j] = csg.gates[j].result(on[csg.gates[j].left], on[csg.gates[j].right]);
+        on[csg.parts.size() + j] =
+            csg.gates[j].result(on[csg.gates[j].left], on[csg.gates[j].right]);
     }
     return on.back();
 }
