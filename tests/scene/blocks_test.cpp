@@ -122,7 +122,7 @@ TEST_F(Blocks, ReadShaders) {
     const auto& phong = std::get<Phong>(scene.materials[1]);
     EXPECT_EQ(phong.color, Rgb(0.5f));
     EXPECT_EQ(phong.texture, no_texture);
-    EXPECT_EQ(phong.specular, 2);
+    EXPECT_EQ(phong.specular, Rgb(2));
     EXPECT_EQ(phong.exponent, 3);
     const auto& reflection = std::get<Reflection>(scene.materials[2]);
     EXPECT_EQ(reflection.multiplier, Rgb(1, 0, 1));
@@ -171,11 +171,18 @@ TEST_F(Blocks, FindTheSidesOfACubemapUnderAnyEnding) {
     }
     const Scene scene = loaded("CubemapEnvironment {\nfolder sky\n}").scene;
     ASSERT_TRUE(scene.environment);
-    EXPECT_FLOAT_EQ(std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_x](0, 0).r, 10 / 255.0f);
-    EXPECT_FLOAT_EQ(std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_y](0, 0).r, 20 / 255.0f);
-    EXPECT_NEAR(std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_z](0, 0).r,
-                srgb_decoded(30 / 255.0f), 1e-4);
-    EXPECT_FLOAT_EQ(std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::pos_z](0, 0).r, 60 / 255.0f);
+    EXPECT_FLOAT_EQ(
+        std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_x](0, 0).r,
+        10 / 255.0f);
+    EXPECT_FLOAT_EQ(
+        std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_y](0, 0).r,
+        20 / 255.0f);
+    EXPECT_NEAR(
+        std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_z](0, 0).r,
+        srgb_decoded(30 / 255.0f), 1e-4);
+    EXPECT_FLOAT_EQ(
+        std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::pos_z](0, 0).r,
+        60 / 255.0f);
 }
 
 TEST_F(Blocks, DrawNoNodeWithoutAShader) {

@@ -29,6 +29,8 @@ struct Loading {
 // settings.cpp
 void read_settings(Properties& block, Loading& loading);
 void read_camera(Properties& block, Loading& loading);
+/// A camera of the older dialects.
+void read_spherical_lens_camera(Properties& block, Loading& loading);
 
 // textures.cpp
 void read_checker(Properties& block, Loading& loading);

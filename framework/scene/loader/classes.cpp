@@ -12,6 +12,7 @@ namespace {
 constexpr BlockClass classes[] = {
     {"GlobalSettings", Kind::other, read_settings},
     {"Camera", Kind::other, read_camera},
+    {"SphericalLensCamera", Kind::other, read_spherical_lens_camera},
     {"PointLight", Kind::other, read_point_light},
     {"RectLight", Kind::other, read_rect_light},
     {"SpotLight", Kind::other, read_spot_light},
