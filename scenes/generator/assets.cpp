@@ -1,6 +1,8 @@
 #include "scenes/generator/assets.h"
 
+#include "scenes/generator/dice.h"
 #include "scenes/generator/forest.h"
+#include "scenes/generator/island.h"
 #include "scenes/generator/lathe.h"
 #include "scenes/generator/many_lights.h"
 #include "scenes/generator/sixty_spheres.h"
@@ -34,9 +36,19 @@ std::vector<Asset> all_assets() {
         {"glass/wine_glass.obj", obj_text(wine_glass(48), about_glass)},
         {"glass/wine.obj", obj_text(wine(48), about_glass)},
         {"mirrors/hammered.bmp", bmp_bytes(hammered({128, 128}))},
+        {"island/heights.bmp", bmp_bytes(island_heights({320, 320}))},
+        {"island/colours.bmp", bmp_bytes(island_colours({320, 320}))},
+        {"die/die.scene", dice_scene()},
+        {"die/boards.bmp", bmp_bytes(boards({256, 256}))},
     };
     for (const auto& [side, image] : evening_sky(64)) {
         assets.push_back({"mirrors/sky/" + side + ".bmp", bmp_bytes(image)});
+    }
+    for (const auto& [side, image] : evening_sky(64)) {
+        assets.push_back({"die/sky/" + side + ".bmp", bmp_bytes(image)});
+    }
+    for (const auto& [side, image] : fair_sky(192)) {
+        assets.push_back({"island/sky/" + side + ".bmp", bmp_bytes(image)});
     }
     assets.push_back({"toys/toy_windmill.glb", glb_bytes(toy_windmill())});
     for (Asset& file : gltf_files(toy_train(), "toys/toy_train")) assets.push_back(std::move(file));

@@ -305,16 +305,16 @@ class GltfTexture : public Gltf {
 
 TEST_F(GltfTexture, RepeatsOnceAUnitWithTexelsInTheMiddleOfPixels) {
     const Loaded m = textured(R"("baseColorTexture":{"index":0})");
-    EXPECT_EQ(colour_at(bitmap(m), {0.25, 0.5}), Rgb(1));
-    EXPECT_EQ(colour_at(bitmap(m), {0.75, 0.5}), Rgb(0));
-    EXPECT_EQ(colour_at(bitmap(m), {0.5, 0.5}), Rgb(0.5f));
-    EXPECT_EQ(colour_at(bitmap(m), {-1.75, 0.5}), Rgb(1));
+    EXPECT_EQ(colour_at(bitmap(m), {.uv = {0.25, 0.5}}), Rgb(1));
+    EXPECT_EQ(colour_at(bitmap(m), {.uv = {0.75, 0.5}}), Rgb(0));
+    EXPECT_EQ(colour_at(bitmap(m), {.uv = {0.5, 0.5}}), Rgb(0.5f));
+    EXPECT_EQ(colour_at(bitmap(m), {.uv = {-1.75, 0.5}}), Rgb(1));
     EXPECT_TRUE(m.warnings.empty());
 }
 
 TEST_F(GltfTexture, IsMultipliedByTheFactor) {
     const Loaded m = textured(R"("baseColorTexture":{"index":0},"baseColorFactor":[0.5,0.25,1,1])");
-    EXPECT_EQ(colour_at(bitmap(m), {0.25, 0.5}), Rgb(0.5f, 0.25f, 1));
+    EXPECT_EQ(colour_at(bitmap(m), {.uv = {0.25, 0.5}}), Rgb(0.5f, 0.25f, 1));
 }
 
 TEST_F(GltfTexture, WarnsOfASamplerThatDoesNotRepeat) {

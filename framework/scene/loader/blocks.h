@@ -4,6 +4,7 @@
 #include "framework/scene/loader/names.h"
 #include "framework/scene/scene.h"
 
+#include <string>
 #include <vector>
 
 /// One function a class of block; each adds what it reads to the scene. Geometries, textures and
@@ -17,11 +18,15 @@ struct Loading {
     Assets assets;
     NameTable names;
     Scene scene;
-    std::vector<int> material_lines;  ///< of Scene::materials
+    std::vector<int> material_lines;           ///< of Scene::materials
+    std::string settings_class, camera_class;  ///< of the block that counts; "" while there is none
+    struct Solid {
+        GeometryId geometry;
+        int line;
+    };
+    std::vector<Solid> solids;  ///< in the order of Scene::geometries
     /// What mesh files bring; Mesh::materials are indices into it until all shaders are read.
     std::vector<Material> file_materials;
-    bool has_settings = false;
-    bool has_camera = false;
 };
 
 // settings.cpp
@@ -29,6 +34,9 @@ void read_settings(Properties& block, Loading& loading);
 void read_camera(Properties& block, Loading& loading);
 /// A camera of the older dialects.
 void read_spherical_lens_camera(Properties& block, Loading& loading);
+void read_fisheye_camera(Properties& block, Loading& loading);
+void read_spherical_camera(Properties& block, Loading& loading);
+void read_orthographic_camera(Properties& block, Loading& loading);
 
 // textures.cpp
 void read_checker(Properties& block, Loading& loading);
@@ -48,6 +56,15 @@ void read_cube(Properties& block, Loading& loading);
 void read_mesh(Properties& block, Loading& loading);
 /// Puts the materials of meshes' files behind the named ones. Call it once, after all shaders.
 void add_file_materials(Loading& loading);
+void read_heightfield(Properties& block, Loading& loading);
+
+// solids.cpp
+void read_union(Properties& block, Loading& loading);
+void read_intersection(Properties& block, Loading& loading);
+void read_difference(Properties& block, Loading& loading);
+/// Unfolds all solids, once all geometries are read. Throws Error when one contains itself, is
+/// nested deeper than 256, or unfolds to more parts than Csg allows.
+void unfold_solids(Loading& loading);
 
 // materials.cpp
 void read_lambert(Properties& block, Loading& loading);
