@@ -2,6 +2,7 @@
 
 #include "scenes/generator/dice.h"
 #include "scenes/generator/island.h"
+#include "scenes/generator/lathe.h"
 #include "scenes/generator/sixty_spheres.h"
 #include "scenes/generator/sky.h"
 #include "scenes/generator/teapot.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr const char* about_teapot =
     "The Utah teapot from M. Newell's control points (1975). Written by luch_assets.";
+constexpr const char* about_glass = "A surface of revolution. Written by luch_assets.";
 
 }  // namespace
 
@@ -25,6 +27,10 @@ std::vector<Asset> all_assets() {
         {"room/landscape.bmp", bmp_bytes(landscape({160, 104}))},
         {"spheres/spheres.scene", sixty_spheres_scene()},
         {"mirrors/teapot.obj", obj_text(teapot(6), about_teapot)},
+        {"glass/tumbler.obj", obj_text(tumbler(48), about_glass)},
+        {"glass/drink.obj", obj_text(tumbler_drink(48), about_glass)},
+        {"glass/wine_glass.obj", obj_text(wine_glass(48), about_glass)},
+        {"glass/wine.obj", obj_text(wine(48), about_glass)},
         {"mirrors/hammered.bmp", bmp_bytes(hammered({128, 128}))},
         {"island/heights.bmp", bmp_bytes(island_heights({320, 320}))},
         {"island/colours.bmp", bmp_bytes(island_colours({320, 320}))},

@@ -4,6 +4,7 @@
 #include "framework/scene/loader/names.h"
 #include "framework/scene/scene.h"
 
+#include <string>
 #include <vector>
 
 /// One function a class of block; each adds what it reads to the scene. Geometries, textures and
@@ -16,14 +17,13 @@ struct Loading {
     Assets assets;
     NameTable names;
     Scene scene;
-    std::vector<int> material_lines;  ///< of Scene::materials
+    std::vector<int> material_lines;           ///< of Scene::materials
+    std::string settings_class, camera_class;  ///< of the block that counts; "" while there is none
     struct Solid {
         GeometryId geometry;
         int line;
     };
     std::vector<Solid> solids;  ///< in the order of Scene::geometries
-    bool has_settings = false;
-    bool has_camera = false;
 };
 
 // settings.cpp
@@ -31,6 +31,9 @@ void read_settings(Properties& block, Loading& loading);
 void read_camera(Properties& block, Loading& loading);
 /// A camera of the older dialects.
 void read_spherical_lens_camera(Properties& block, Loading& loading);
+void read_fisheye_camera(Properties& block, Loading& loading);
+void read_spherical_camera(Properties& block, Loading& loading);
+void read_orthographic_camera(Properties& block, Loading& loading);
 
 // textures.cpp
 void read_checker(Properties& block, Loading& loading);

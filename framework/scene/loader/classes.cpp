@@ -13,6 +13,9 @@ constexpr BlockClass classes[] = {
     {"GlobalSettings", Kind::other, read_settings},
     {"Camera", Kind::other, read_camera},
     {"SphericalLensCamera", Kind::other, read_spherical_lens_camera},
+    {"FisheyeCamera", Kind::other, read_fisheye_camera},
+    {"SphericalCamera", Kind::other, read_spherical_camera},
+    {"OrthographicCamera", Kind::other, read_orthographic_camera},
     {"PointLight", Kind::other, read_point_light},
     {"RectLight", Kind::other, read_rect_light},
     {"SpotLight", Kind::other, read_spot_light},
@@ -50,12 +53,6 @@ constexpr BlockClass classes[] = {
     {"Node", Kind::node, read_node},
 };
 
-constexpr std::string_view not_read_yet[] = {
-    "FisheyeCamera",
-    "SphericalCamera",
-    "OrthographicCamera",
-};
-
 }  // namespace
 
 const BlockClass& class_of(const Block& block, const Diagnostics& diagnostics) {
@@ -63,13 +60,6 @@ const BlockClass& class_of(const Block& block, const Diagnostics& diagnostics) {
     for (const BlockClass& candidate : classes) {
         if (candidate.name == block.class_name) return candidate;
         names.push_back(candidate.name);
-    }
-    if (std::find(std::begin(not_read_yet), std::end(not_read_yet), block.class_name) !=
-        std::end(not_read_yet)) {
-        diagnostics.fail(block.line, fmt::format("{} is part of the format, but this version does "
-                                                 "not read it yet; remove the block and what "
-                                                 "refers to it",
-                                                 block.class_name));
     }
     const auto wanted = std::string_view(block.class_name).substr(0, 64);
     diagnostics.fail(block.line, fmt::format("there is no class {}; {}", shown(block.class_name),
