@@ -47,7 +47,7 @@ std::vector<Asset> all_assets() {
     for (const auto& [side, image] : evening_sky(64)) {
         assets.push_back({"die/sky/" + side + ".bmp", bmp_bytes(image)});
     }
-    for (const auto& [side, image] : fair_sky(192)) {
+    for (const auto& [side, image] : fair_sky(128)) {
         assets.push_back({"island/sky/" + side + ".bmp", bmp_bytes(image)});
     }
     assets.push_back({"toys/toy_windmill.glb", glb_bytes(toy_windmill())});

@@ -40,7 +40,7 @@ int rays_that_escape(const Scene& scene) {
 }
 
 TEST(OwnScenes, LoadWithoutAWarning) {
-    for (const char* name : {"room", "spheres", "mirrors", "glass", "clay"}) {
+    for (const char* name : {"room", "spheres", "mirrors", "glass", "clay", "island", "die"}) {
         const Loaded scene = loaded(name);
         EXPECT_TRUE(scene.warnings.empty()) << name << ": " << scene.warnings.front();
         EXPECT_EQ(scene.scene.settings.frame, (Size{640, 480})) << name;
@@ -103,6 +103,51 @@ TEST(Mirrors, FaceEachOtherAndEndAtADepth) {
     ASSERT_TRUE(left && right);
     EXPECT_EQ(scene.nodes[left.node].name, "leftMirror");
     EXPECT_EQ(scene.nodes[right.node].name, "rightMirror");
+}
+
+TEST(Island, RisesOutOfTheSeaAndItsEdgesSinkBelowTheGround) {
+    const Scene scene = loaded("island").scene;
+    ASSERT_EQ(count_of<Heightfield>(scene.geometries), 1);
+    const auto down = [&](double x, double z) {
+        Ray ray{{x, 400, z}, {0, -1, 0}};
+        std::string met;
+        while (const Hit hit = closest_brute(scene, ray)) {
+            met += scene.nodes[hit.node].name + " ";
+            ray.t_min = hit.t;
+        }
+        return met;
+    };
+    EXPECT_EQ(down(0.5, 20.5), "island sea ground ");
+    EXPECT_EQ(down(-158.5, -158.5), "sea ground island ");
+    EXPECT_EQ(down(900, 900), "sea ground ");
+}
+
+TEST(Dice, HaveSevenOnOppositeFacesAndPaintInEveryPip) {
+    const Scene scene = loaded("die").scene;
+    EXPECT_EQ(scene.nodes.size(), 1u + 2 * 3 + 1);  // the lamp's face too
+    const auto solid = std::find_if(scene.nodes.begin(), scene.nodes.end(),
+                                    [](const Node& node) { return node.name == "ivory_die"; });
+    ASSERT_NE(solid, scene.nodes.end());
+    const auto& csg = std::get<Csg>(scene.geometries[solid->geometry]);
+    EXPECT_EQ(csg.parts.size(), 23u);
+    int pips[3][2] = {};
+    for (const Csg::Part& part : csg.parts) {
+        const auto* ball = std::get_if<Sphere>(&scene.geometries[part.geometry]);
+        if (ball == nullptr || !part.flipped) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(ball->centre[axis]) > 1) ++pips[axis][ball->centre[axis] > 0];
+        }
+        const Vec3d above = solid->to_world.point(ball->centre * 1.4);
+        const Vec3d into = solid->to_world.direction(-ball->centre);
+        const Hit hit = closest_brute(scene, {above, into});
+        ASSERT_TRUE(hit);
+        // The pips on the die's ground face see the table first.
+        const std::string& name = scene.nodes[hit.node].name;
+        if (above.y > 0) {
+            EXPECT_EQ(name, "ivory_die_pips");
+        }
+    }
+    for (const auto& [one, other] : pips) EXPECT_EQ(one + other, 7);
 }
 
 TEST(Glass, StandsAsBlocksOfOneKindEachTwiceAsThickAsTheOneBefore) {
