@@ -1,5 +1,7 @@
 #include "scenes/generator/assets.h"
 
+#include "scenes/generator/lathe.h"
+#include "scenes/generator/prints.h"
 #include "scenes/generator/sixty_spheres.h"
 #include "scenes/generator/sky.h"
 #include "scenes/generator/teapot.h"
@@ -10,6 +12,29 @@ namespace {
 
 constexpr const char* about_teapot =
     "The Utah teapot from M. Newell's control points (1975). Written by luch_assets.";
+
+constexpr const char* about_turned = "Turned on luch_assets' lathe.";
+
+void add_page(std::vector<Asset>& assets) {
+    assets.push_back({"page/book.obj", obj_text(open_book(), "Both pages of an open book.")});
+    assets.push_back({"page/pencil.obj", obj_text(pencil_body(), about_turned)});
+    assets.push_back({"page/wood.obj", obj_text(pencil_wood(), about_turned)});
+    assets.push_back({"page/lead.obj", obj_text(pencil_lead(), about_turned)});
+    assets.push_back({"page/print.bmp", bmp_bytes(printed_pages({640, 448}))});
+    assets.push_back({"page/desk.bmp", bmp_bytes(boards({192, 192}))});
+}
+
+void add_fisheye(std::vector<Asset>& assets) {
+    assets.push_back({"fisheye/column.obj", obj_text(column(), about_turned)});
+    assets.push_back({"fisheye/entablature.obj", obj_text(entablature(), about_turned)});
+    assets.push_back({"fisheye/dome.obj", obj_text(dome(), about_turned)});
+    assets.push_back({"fisheye/wall.obj", obj_text(wall(), about_turned)});
+    assets.push_back({"fisheye/pavement.obj", obj_text(pavement(), about_turned)});
+    assets.push_back({"fisheye/coffer.bmp", bmp_bytes(coffer({96, 96}))});
+    assets.push_back({"fisheye/panel.bmp", bmp_bytes(panel({128, 128}))});
+    assets.push_back({"fisheye/spirals.bmp", bmp_bytes(spirals({640, 160}))});
+    assets.push_back({"fisheye/marble.bmp", bmp_bytes(marble({128, 128}))});
+}
 
 }  // namespace
 
@@ -28,6 +53,8 @@ std::vector<Asset> all_assets() {
     for (const auto& [side, image] : evening_sky(64)) {
         assets.push_back({"mirrors/sky/" + side + ".bmp", bmp_bytes(image)});
     }
+    add_page(assets);
+    add_fisheye(assets);
     return assets;
 }
 

@@ -48,6 +48,55 @@ TEST(OwnScenes, LoadWithoutAWarning) {
     }
 }
 
+TEST(Page, LiesInThePlaneOfFocusWithThingsBeforeAndBehind) {
+    const Loaded page = loaded("page");
+    EXPECT_TRUE(page.warnings.empty());
+    const Camera& camera = page.scene.camera;
+    ASSERT_TRUE(camera.has_lens());
+    const Screen screen(camera, page.scene.settings.frame);
+    int before = 0, behind = 0;
+    for (const Node& node : page.scene.nodes) {
+        if (node.name == "desk") continue;
+        const Boxd box = bounds_of(page.scene.geometries[node.geometry]);
+        const double depth = screen.to_view(node.to_world.point(box.centre())).z;
+        before += depth < camera.focal_distance - 10 ? 1 : 0;
+        behind += depth > camera.focal_distance + 10 ? 1 : 0;
+        if (node.name != "pages") continue;
+        for (unsigned i = 0; i < 8; ++i) {
+            const Vec3d corner{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
+                               i & 4 ? box.hi.z : box.lo.z};
+            const double at = screen.to_view(node.to_world.point(corner)).z;
+            EXPECT_NEAR(at, camera.focal_distance, 2) << "the page's corners are sharp";
+        }
+    }
+    EXPECT_GE(before, 5);
+    EXPECT_GE(behind, 15);
+}
+
+TEST(Fisheye, SeesTheWholeHallAndTheSkyOnlyThroughTheDome) {
+    const Loaded hall = loaded("fisheye");
+    EXPECT_TRUE(hall.warnings.empty());
+    const Camera& camera = hall.scene.camera;
+    EXPECT_EQ(camera.projection, Projection::fisheye);
+    const auto accelerator = build_accelerator(hall.scene);
+    WorkCounts work;
+    const Size size{64, 64};
+    const Screen screen(camera, size);
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const Ray ray = screen.ray(x + 0.5, y + 0.5);
+            if (nowhere(ray)) continue;
+            const bool sky = !accelerator->occluded(ray, work);
+            // The opening is 1.62 wide, 16.4 − 1.65 above the eye.
+            const double aside = std::hypot(ray.direction.x, ray.direction.z);
+            const double edge = 1.62 / (16.4 - 1.65);
+            const double slope = aside / std::abs(ray.direction.y);
+            if (std::abs(slope / edge - 1) < 0.2) continue;
+            EXPECT_EQ(sky, ray.direction.y > 0 && slope < edge) << x << " " << y;
+        }
+    }
+}
+
 TEST(Room, IsClosed) {
     EXPECT_EQ(rays_that_escape(loaded("room").scene), 0);
     EXPECT_GT(rays_that_escape(loaded("mirrors").scene), 0);
