@@ -1,9 +1,11 @@
 #include "scenes/generator/assets.h"
 
 #include "scenes/generator/lathe.h"
+#include "scenes/generator/masonry.h"
 #include "scenes/generator/prints.h"
 #include "scenes/generator/sixty_spheres.h"
 #include "scenes/generator/sky.h"
+#include "scenes/generator/stationery.h"
 #include "scenes/generator/teapot.h"
 #include "scenes/generator/textures.h"
 
@@ -12,8 +14,7 @@ namespace {
 
 constexpr const char* about_teapot =
     "The Utah teapot from M. Newell's control points (1975). Written by luch_assets.";
-
-constexpr const char* about_turned = "Turned on luch_assets' lathe.";
+constexpr const char* about_turned = "A surface of revolution. Written by luch_assets.";
 
 void add_page(std::vector<Asset>& assets) {
     assets.push_back({"page/book.obj", obj_text(open_book(), "Both pages of an open book.")});
@@ -48,6 +49,10 @@ std::vector<Asset> all_assets() {
         {"room/landscape.bmp", bmp_bytes(landscape({160, 104}))},
         {"spheres/spheres.scene", sixty_spheres_scene()},
         {"mirrors/teapot.obj", obj_text(teapot(6), about_teapot)},
+        {"glass/tumbler.obj", obj_text(tumbler(48), about_turned)},
+        {"glass/drink.obj", obj_text(tumbler_drink(48), about_turned)},
+        {"glass/wine_glass.obj", obj_text(wine_glass(48), about_turned)},
+        {"glass/wine.obj", obj_text(wine(48), about_turned)},
         {"mirrors/hammered.bmp", bmp_bytes(hammered({128, 128}))},
     };
     for (const auto& [side, image] : evening_sky(64)) {

@@ -1,5 +1,8 @@
 #include "scenes/generator/lathe.h"
 
+#include "scenes/generator/masonry.h"
+#include "scenes/generator/stationery.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,8 +11,7 @@ namespace luch::assets {
 namespace {
 
 TEST(Lathe, TurnsACylinderThatLooksOutwards) {
-    const Profile profiles[] = {{"tube", {{2, 0}, {2, 1}, {2, 5}}, {3, 2}}};
-    const Surface tube = turned(profiles, 24).at(0);
+    const Surface tube = lathe({{{2, 0}, {2, 1}, {2, 5}}}, 24).at(0);
     EXPECT_EQ(tube.triangles.size(), 2u * 2 * 24);
     for (std::size_t i = 0; i < tube.points.size(); ++i) {
         EXPECT_NEAR(std::hypot(tube.points[i].x, tube.points[i].z), 2, 1e-12);
@@ -20,14 +22,19 @@ TEST(Lathe, TurnsACylinderThatLooksOutwards) {
         const Vec3d face = glm::cross(tube.points[b.point] - p, tube.points[c.point] - p);
         EXPECT_GT(glm::dot(face, tube.normals[a.point]), 0);
     }
-    EXPECT_EQ(tube.uvs.front(), Vec2d(0, 2));
-    EXPECT_EQ(tube.uvs.back(), Vec2d(3, 0));
-    EXPECT_NEAR(tube.uvs[25].y, 2 * (1 - 0.2), 1e-12) << "v follows the profile's length";
 }
 
-TEST(Lathe, LeavesOutTheTrianglesOfAPoint) {
-    const Profile profiles[] = {{"cone", {{1, 0}, {0, 1}}}};
-    EXPECT_EQ(turned(profiles, 10).at(0).triangles.size(), 10u);
+TEST(Masonry, RepeatsTexturesAroundTheHallWithTheirTopUp) {
+    for (const Surface& surface : wall()) {
+        for (const auto& [a, b, c] : surface.triangles) {
+            for (const auto& [point, uv] : {a, b, c}) {
+                EXPECT_EQ(surface.uvs[uv].y, surface.points[point].y > 3 ? 0 : 1);
+                EXPECT_GE(surface.uvs[uv].x, 0);
+                EXPECT_LE(surface.uvs[uv].x, 12);
+            }
+        }
+        EXPECT_EQ(surface.uvs.at(48).x, 12);
+    }
 }
 
 TEST(OpenBook, BulgesBesideTheMiddleWithItsNormalsAcrossThePaper) {

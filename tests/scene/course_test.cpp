@@ -36,7 +36,8 @@ TEST_F(CourseScenes, Lecture8LoadsWithoutAWarning) {
     EXPECT_EQ(triangles(result.scene), 44u + 992u);
     EXPECT_EQ(result.scene.settings.max_depth, 5);
     ASSERT_TRUE(result.scene.environment);
-    for (const auto& side : std::get<CubemapEnvironment>(*result.scene.environment).sides) EXPECT_GT(side.width(), 0);
+    for (const auto& side : std::get<CubemapEnvironment>(*result.scene.environment).sides)
+        EXPECT_GT(side.width(), 0);
 }
 
 TEST_F(CourseScenes, BoxedLoadsWithoutAWarning) {

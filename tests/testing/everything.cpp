@@ -45,6 +45,23 @@ Scene bit_of_everything() {
     add_node(scene, "layered", static_cast<GeometryId>(scene.geometries.size() - 1), lambert + 2,
              Transform());
     add(scene, Cube{.centre = {-5, 1, -5}, .side = 1}, Const{.color = {0.1f, 0.9f, 0.4f}});
+    scene.textures.emplace_back(Fresnel{.ior = 1.5});
+    scene.textures.emplace_back(Bumps{.strength = 0.5});
+    const auto glass = static_cast<MaterialId>(scene.materials.size());
+    scene.materials.emplace_back(
+        Refraction{.ior = 1.5, .inside_color = {0.2f, 0.9f, 0.5f}, .absorption = 0.4});
+    scene.materials.emplace_back(Reflection{});
+    scene.materials.emplace_back(Layered{{{glass, Rgb(1)}, {glass + 1, Rgb(0), 3}}});
+    scene.geometries.emplace_back(Cube{.centre = {-2, 0, -5}, .side = 1.5});
+    const NodeId block =
+        add_node(scene, "glass", static_cast<GeometryId>(scene.geometries.size() - 1), glass + 2,
+                 Transform::rotation(0.3, 0.1, 0));
+    scene.nodes[block].moving = true;
+    scene.nodes[1].bump = 4;
+    scene.lights.emplace_back(
+        SpotLight{.position = {0, 9, -6}, .inner_cosine = 0.9, .outer_cosine = 0.6, .power = 60});
+    scene.lights.emplace_back(
+        DirectionalLight{.direction = glm::normalize(Vec3d(1, -2, 1)), .power = 0.4f});
     const Transform lamp = Transform::scaling(Vec3d(3)).then(Transform::translation({0, 12, 0}));
     add_rect_light(scene, "lamp", RectLight{.to_world = lamp, .color = Rgb(1), .power = 80});
     return scene;

@@ -27,6 +27,8 @@ void read_camera(Properties& block, Loading& loading);
 void read_fisheye_camera(Properties& block, Loading& loading);
 void read_spherical_camera(Properties& block, Loading& loading);
 void read_orthographic_camera(Properties& block, Loading& loading);
+/// A camera of the older dialects.
+void read_spherical_lens_camera(Properties& block, Loading& loading);
 
 // textures.cpp
 void read_checker(Properties& block, Loading& loading);

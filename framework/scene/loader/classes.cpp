@@ -15,6 +15,7 @@ constexpr BlockClass classes[] = {
     {"FisheyeCamera", Kind::other, read_fisheye_camera},
     {"SphericalCamera", Kind::other, read_spherical_camera},
     {"OrthographicCamera", Kind::other, read_orthographic_camera},
+    {"SphericalLensCamera", Kind::other, read_spherical_lens_camera},
     {"PointLight", Kind::other, read_point_light},
     {"RectLight", Kind::other, read_rect_light},
     {"SpotLight", Kind::other, read_spot_light},
