@@ -19,6 +19,20 @@ double ms_since(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
+void set_field_of_view(Camera& camera, double fov_deg) {
+    if (camera.projection == Projection::spherical ||
+        camera.projection == Projection::orthographic) {
+        throw Error(
+            "--camera: this scene's camera has no field of view; leave the last number out");
+    }
+    const bool fisheye = camera.projection == Projection::fisheye;
+    if (!(fov_deg >= (fisheye ? 1 : 1e-4) && fov_deg <= (fisheye ? 360 : 179))) {
+        throw Error(fmt::format("--camera: the field of view is not in {}",
+                                fisheye ? "1..360, as a fisheye's is" : "0.0001..179"));
+    }
+    camera.fov_deg = fov_deg;
+}
+
 /// "x,y,z,yaw,pitch[,roll[,fov]]" over a scene's camera.
 Camera moved_camera(Camera camera, const std::string& text) {
     std::vector<double> numbers;
@@ -34,11 +48,8 @@ Camera moved_camera(Camera camera, const std::string& text) {
     camera.yaw_deg = numbers[3];
     camera.pitch_deg = numbers[4];
     if (numbers.size() > 5) camera.roll_deg = numbers[5];
-    if (numbers.size() > 6) camera.fov_deg = numbers[6];
     if (!(std::abs(camera.pitch_deg) <= 90)) throw Error("--camera: the pitch is not in -90..90");
-    if (!(camera.fov_deg >= 1e-4 && camera.fov_deg <= 179)) {
-        throw Error("--camera: the field of view is not in 0.0001..179");
-    }
+    if (numbers.size() > 6) set_field_of_view(camera, numbers[6]);
     return camera;
 }
 
@@ -55,12 +66,6 @@ void warn_of_version(const Scene& scene) {
     };
     if (scene.settings.global_illumination) {
         warn("gi is on; there is no path tracer yet, so the light is the classic tracer's");
-    }
-    if (scene.camera.depth_of_field) {
-        warn("dof is on; there is no thin lens yet, so everything is in focus");
-    }
-    if (scene.camera.stereo_separation != 0) {
-        warn("stereoSeparation is set; there is no stereo yet, so one eye's picture is made");
     }
 }
 

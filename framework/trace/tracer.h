@@ -2,6 +2,7 @@
 
 #include "framework/accel/accelerator.h"
 #include "framework/trace/counts.h"
+#include "framework/trace/ray_log.h"
 
 #include <span>
 
@@ -26,9 +27,17 @@ class Tracer {
 
     [[nodiscard]] Counts& counts() { return counts_; }
 
+    /// Records every ray from now on; null, as at first: none. An object test that hits is recorded
+    /// as the primary ray that it stands for. What is recorded changes neither answers nor counts.
+    void record(RayLog* log) { log_ = log; }
+    [[nodiscard]] RayLog* log() const { return log_; }
+
  private:
+    void record_shadows(RayKind kind, std::span<const Ray> rays,
+                        std::span<const std::uint8_t> blocked) const;
     const Accelerator* accelerator_;
     Counts counts_;
+    RayLog* log_ = nullptr;
 };
 
 }  // namespace luch

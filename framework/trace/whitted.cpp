@@ -155,6 +155,8 @@ Rgb Whitted::radiance(RayKind kind, const Ray& ray, Key key, int depth,
 Rgb Whitted::shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth,
                    const Refraction* medium) const {
     if (!hit) return sky_radiance(*scene_, ray.direction);
+    RayLog::Branch branch(tracer_->log());
+    branch.follow();
     const Surface surface = surface_at(*scene_, ray, hit, needs_.surface);
     const Material& material = scene_->materials[scene_->nodes[hit.node].material];
     return std::visit(MaterialShader{*this, *scene_, surface, ray, kind, key, depth, medium},

@@ -95,7 +95,13 @@ float radius_px(const Scene& scene, const Node& node, const Screen& screen) {
 }
 
 Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
-    if (shot.camera.depth_of_field) {
+    if (shot.camera.projection != Projection::perspective) {
+        return {false,
+                "the camera is not perspective: only there are the edges of triangles straight on "
+                "the screen, and their rays from one point",
+                {}};
+    }
+    if (shot.camera.has_lens()) {
         return {
             false,
             "depth of field: rays leave from all over the lens, the buffer is seen from one point",

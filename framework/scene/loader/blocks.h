@@ -4,6 +4,7 @@
 #include "framework/scene/loader/names.h"
 #include "framework/scene/scene.h"
 
+#include <string>
 #include <vector>
 
 /// One function a class of block; each adds what it reads to the scene. Geometries, textures and
@@ -16,14 +17,16 @@ struct Loading {
     Assets assets;
     NameTable names;
     Scene scene;
-    std::vector<int> material_lines;  ///< of Scene::materials
-    bool has_settings = false;
-    bool has_camera = false;
+    std::vector<int> material_lines;           ///< of Scene::materials
+    std::string settings_class, camera_class;  ///< of the block that counts; "" while there is none
 };
 
 // settings.cpp
 void read_settings(Properties& block, Loading& loading);
 void read_camera(Properties& block, Loading& loading);
+void read_fisheye_camera(Properties& block, Loading& loading);
+void read_spherical_camera(Properties& block, Loading& loading);
+void read_orthographic_camera(Properties& block, Loading& loading);
 
 // textures.cpp
 void read_checker(Properties& block, Loading& loading);

@@ -12,6 +12,9 @@ namespace {
 constexpr BlockClass classes[] = {
     {"GlobalSettings", Kind::other, read_settings},
     {"Camera", Kind::other, read_camera},
+    {"FisheyeCamera", Kind::other, read_fisheye_camera},
+    {"SphericalCamera", Kind::other, read_spherical_camera},
+    {"OrthographicCamera", Kind::other, read_orthographic_camera},
     {"PointLight", Kind::other, read_point_light},
     {"RectLight", Kind::other, read_rect_light},
     {"SpotLight", Kind::other, read_spot_light},
@@ -40,10 +43,8 @@ constexpr BlockClass classes[] = {
 };
 
 constexpr std::string_view not_read_yet[] = {
-    "CSGUnion",           "CSGInter",    "CSGDiff",       "CsgUnion",
-    "CsgInter",           "CsgDiff",     "CsgPlus",       "CsgAnd",
-    "CsgMinus",           "Heightfield", "FisheyeCamera", "SphericalCamera",
-    "OrthographicCamera",
+    "CSGUnion", "CSGInter", "CSGDiff", "CsgUnion", "CsgInter",
+    "CsgDiff",  "CsgPlus",  "CsgAnd",  "CsgMinus", "Heightfield",
 };
 
 }  // namespace
