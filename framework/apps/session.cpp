@@ -19,38 +19,18 @@ double ms_since(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
-void set_field_of_view(Camera& camera, double fov_deg) {
+void set_field_of_view(Camera& camera, double fov_deg, const std::string& option) {
     if (camera.projection == Projection::spherical ||
         camera.projection == Projection::orthographic) {
-        throw Error(
-            "--camera: this scene's camera has no field of view; leave the last number out");
+        throw Error(option +
+                    ": this scene's camera has no field of view; leave the last number out");
     }
     const bool fisheye = camera.projection == Projection::fisheye;
     if (!(fov_deg >= (fisheye ? 1 : 1e-4) && fov_deg <= (fisheye ? 360 : 179))) {
-        throw Error(fmt::format("--camera: the field of view is not in {}",
+        throw Error(fmt::format("{}: the field of view is not in {}", option,
                                 fisheye ? "1..360, as a fisheye's is" : "0.0001..179"));
     }
     camera.fov_deg = fov_deg;
-}
-
-/// "x,y,z,yaw,pitch[,roll[,fov]]" over a scene's camera.
-Camera moved_camera(Camera camera, const std::string& text) {
-    std::vector<double> numbers;
-    for (const std::string& piece : split(text, ',')) {
-        const auto number = parsed_number(trimmed(piece));
-        if (!number) throw Error("--camera: \"" + piece + "\" is not a number");
-        numbers.push_back(*number);
-    }
-    if (numbers.size() < 5 || numbers.size() > 7) {
-        throw Error("--camera: give x,y,z,yaw,pitch and, if you like, roll and fov, in degrees");
-    }
-    camera.position = {numbers[0], numbers[1], numbers[2]};
-    camera.yaw_deg = numbers[3];
-    camera.pitch_deg = numbers[4];
-    if (numbers.size() > 5) camera.roll_deg = numbers[5];
-    if (!(std::abs(camera.pitch_deg) <= 90)) throw Error("--camera: the pitch is not in -90..90");
-    if (numbers.size() > 6) set_field_of_view(camera, numbers[6]);
-    return camera;
 }
 
 int checked_threads(int threads) {
@@ -83,6 +63,25 @@ void SceneOptions::declare(Arguments& arguments) {
     arguments.flag("--strict", strict, "warnings about the scene file are errors");
     arguments.flag("--no-skip", no_skip,
                    "run every stage, also those that the scene does not need");
+}
+
+Camera moved_camera(Camera camera, const std::string& text, const std::string& option) {
+    std::vector<double> numbers;
+    for (const std::string& piece : split(text, ',')) {
+        const auto number = parsed_number(trimmed(piece));
+        if (!number) throw Error(option + ": \"" + piece + "\" is not a number");
+        numbers.push_back(*number);
+    }
+    if (numbers.size() < 5 || numbers.size() > 7) {
+        throw Error(option + ": give x,y,z,yaw,pitch and, if you like, roll and fov, in degrees");
+    }
+    camera.position = {numbers[0], numbers[1], numbers[2]};
+    camera.yaw_deg = numbers[3];
+    camera.pitch_deg = numbers[4];
+    if (numbers.size() > 5) camera.roll_deg = numbers[5];
+    if (!(std::abs(camera.pitch_deg) <= 90)) throw Error(option + ": the pitch is not in -90..90");
+    if (numbers.size() > 6) set_field_of_view(camera, numbers[6], option);
+    return camera;
 }
 
 Size parsed_size(const std::string& text) {
@@ -119,7 +118,8 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
     build_ms_ = ms_since(building);
     shot_ = shot_of(*scene_);
     if (!options.size.empty()) shot_.size = parsed_size(options.size);
-    if (!options.camera.empty()) shot_.camera = moved_camera(shot_.camera, options.camera);
+    if (!options.camera.empty())
+        shot_.camera = moved_camera(shot_.camera, options.camera, "--camera");
     shot_.spp = options.spp;
     shot_.seed = options.seed;
     budget_.skip = !options.no_skip;

@@ -15,8 +15,8 @@ bool is_first(Properties& block, std::string& seen) {
         return true;
     }
     block.diagnostics().warn(block.block().line,
-                             fmt::format("there is a {} already, and the first one counts; remove "
-                                         "one of the two",
+                             fmt::format("the scene has its {} already, and the first one counts; "
+                                         "remove one of the two",
                                          seen));
     return false;
 }
