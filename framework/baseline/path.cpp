@@ -177,6 +177,7 @@ void Path::render(const Scene& scene, const Shot& shot, Frame& frame, Context& c
         });
         if (context.cancelled()) return;
         before += here;
+        if (context.budget().on_part) context.budget().on_part(double(before) / samples);
     }
     // Nothing is known of the error of a single sample.
     if (groups == 1) error = Image<Rgb>(shot.size, Rgb(std::numeric_limits<float>::infinity()));
@@ -188,7 +189,9 @@ TechniqueInfo describe() {
     return {.name = "path",
             .title = "path tracing, the ground truth of gi",
             .topic = "1. classic ray tracing",
-            .create = []() -> std::unique_ptr<Technique> { return std::make_unique<Path>(); }};
+            .create = []() -> std::unique_ptr<Technique> { return std::make_unique<Path>(); },
+            .sweep = {},
+            .approximates = false};
 }
 
 }  // namespace luch::path

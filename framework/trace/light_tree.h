@@ -31,6 +31,8 @@ class LightTree {
     [[nodiscard]] double probability(std::uint32_t light, const Vec3d& point,
                                      const Vec3d& normal) const;
     [[nodiscard]] bool empty() const { return nodes_.empty(); }
+    /// Whether there is one light only, and nothing to choose.
+    [[nodiscard]] bool single() const { return nodes_.size() == 1; }
 
  private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};

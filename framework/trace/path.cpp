@@ -96,7 +96,7 @@ Vec3d PathTracer::direct(const Draw& draw, const Refraction* medium) {
     ++tracer_->counts().shades;
     Vec3d light(0);
     if (needs_.placed_lights) light += from_placed(draw, medium);
-    if (needs_.distant_lights) light += from_distant(draw.pair(light_choice).y);
+    if (needs_.distant_lights) light += from_distant(draw);
     if (needs_.sky && !lights_->sky().black() && settings_.sampling != PathSampling::bsdf) {
         light += from_sky(draw.pair(sky_direction));
     }
@@ -104,8 +104,9 @@ Vec3d PathTracer::direct(const Draw& draw, const Refraction* medium) {
 }
 
 Vec3d PathTracer::from_placed(const Draw& draw, const Refraction* medium) {
-    const auto choice =
-        lights_->placed().choose(surface_.position, bsdf_.normal(), draw.pair(light_choice).x);
+    const LightTree& tree = lights_->placed();
+    const double random = tree.single() ? 0 : draw.pair(light_choice).x;
+    const auto choice = tree.choose(surface_.position, bsdf_.normal(), random);
     if (!choice) return Vec3d(0);
     const Light& light = scene_->lights[choice->light];
     if (const auto* point = std::get_if<PointLight>(&light)) {
@@ -143,8 +144,8 @@ Vec3d PathTracer::from_point(const Vec3d& place, const Vec3d& intensity, const R
     return unless_blocked(value.reflected * arrives, shadow_ray(surface_, place));
 }
 
-Vec3d PathTracer::from_distant(double random) {
-    const auto choice = lights_->choose_distant(random);
+Vec3d PathTracer::from_distant(const Draw& draw) {
+    const auto choice = lights_->choose_distant(draw.pair(light_choice).y);
     if (!choice) return Vec3d(0);
     const Vec3d to_light = -choice->light->direction;
     const Vec3d arrives =

@@ -74,7 +74,7 @@ class PathTracer {
                                   const Refraction* medium);
     [[nodiscard]] Vec3d from_point(const Vec3d& place, const Vec3d& intensity,
                                    const Refraction* medium);
-    [[nodiscard]] Vec3d from_distant(double random);
+    [[nodiscard]] Vec3d from_distant(const Draw& draw);
     [[nodiscard]] Vec3d from_sky(const Vec2d& square);
     [[nodiscard]] Vec3d unless_blocked(const Vec3d& light, const Ray& shadow);
 
