@@ -5,15 +5,16 @@
 namespace luch {
 namespace {
 
+/// Angles are taken a little too large rather than too small: a chance of 0 must be certain.
+constexpr double doubt = 1e-6;
+
 double mean(const Rgb& colour) {
     return (static_cast<double>(colour.x) + colour.y + colour.z) / 3;
 }
 
 /// The largest cosine between an axis and a direction to any point of a ball, of which the middle
-/// lies in `direction` and the radius is `sine` of its distance. A little too large rather than too
-/// small: a chance of 0 must be certain.
+/// lies in `direction` and the radius is `sine` of its distance.
 double largest_cosine(const Vec3d& axis, const Vec3d& direction, double sine) {
-    constexpr double doubt = 1e-6;
     const double cosine = glm::dot(axis, direction);
     const double ball = std::sqrt(std::max(0.0, 1 - sine * sine));
     if (cosine >= ball) return 1;
@@ -37,22 +38,19 @@ LightTree::LightTree(std::span<const Light> lights) : leaf_of_light_(lights.size
 std::optional<LightTree::Leaf> LightTree::leaf_of(const Light& light, std::uint32_t index) {
     Leaf leaf;
     leaf.node.light = index;
-    leaf.node.axis_cosine = -2;
     if (const auto* point = std::get_if<PointLight>(&light)) {
         leaf.box.grow(point->position);
         leaf.node.power = std::abs(mean(point->color) * point->power);
     } else if (const auto* spot = std::get_if<SpotLight>(&light)) {
         leaf.box.grow(spot->position);
         leaf.node.power = std::abs(mean(spot->color) * spot->power);
-        leaf.node.axis = spot->direction;
-        leaf.node.axis_cosine = spot->outer_cosine;
+        leaf.node.cone = {spot->direction, 0, std::acos(spot->outer_cosine) + doubt};
     } else if (const auto* rect = std::get_if<RectLight>(&light)) {
         for (const double x : {-0.5, 0.5}) {
             for (const double z : {-0.5, 0.5}) leaf.box.grow(rect->to_world.point({x, 0, z}));
         }
         leaf.node.power = std::abs(mean(rect->color) * rect->power);
-        leaf.node.axis = rect->facing();
-        leaf.node.axis_cosine = 0;
+        leaf.node.cone = {rect->facing(), 0, std::numbers::pi / 2 + doubt};
     } else {
         return std::nullopt;
     }
@@ -94,6 +92,7 @@ void LightTree::build(std::uint32_t at, std::span<Leaf> leaves) {
     nodes_[child].parent = nodes_[child + 1].parent = at;
     build(child, leaves.first(leaves.size() / 2));
     build(child + 1, leaves.subspan(leaves.size() / 2));
+    nodes_[at].cone = nodes_[child].cone.with(nodes_[child + 1].cone);
 }
 
 double LightTree::importance(const Node& node, const Vec3d& point, const Vec3d& normal) {
@@ -107,13 +106,25 @@ double LightTree::importance(const Node& node, const Vec3d& point, const Vec3d& 
     const double distance = std::sqrt(square);
     const Vec3d direction = way / distance;
     const double sine = node.radius / distance;
-    double cosine = largest_cosine(normal, direction, sine);
-    if (cosine > 0 && node.light != none && node.axis != Vec3d(0)) {
-        const double away = largest_cosine(node.axis, -direction, sine);
-        if (node.radius > 0) cosine *= std::max(0.0, away);
-        if (node.radius == 0 && away < node.axis_cosine) return 0;
-    }
-    return std::max(0.0, cosine) * strength;
+    const double cosine = std::max(0.0, largest_cosine(normal, direction, sine));
+    if (cosine == 0 || node.cone.everywhere()) return cosine * strength;
+    const double away = std::acos(std::clamp(-glm::dot(node.cone.axis, direction), -1.0, 1.0));
+    const double off = std::max(0.0, away - node.cone.spread - std::asin(sine) - doubt);
+    // A spot's light does not fade with the cosine; no light is judged by less than a tenth.
+    return off < node.cone.reach ? cosine * std::max(0.1, std::cos(off)) * strength : 0;
+}
+
+LightTree::Cone LightTree::Cone::with(const Cone& other) const {
+    const Vec3d sum = axis + other.axis;
+    Cone both;
+    if (everywhere() || other.everywhere() || !(max_norm(sum) > 0)) return both;
+    both.axis = glm::normalize(sum);
+    const auto angle = [&](const Cone& cone) {
+        return std::acos(std::clamp(glm::dot(both.axis, cone.axis), -1.0, 1.0)) + cone.spread;
+    };
+    both.spread = std::max(angle(*this), angle(other)) + doubt;
+    both.reach = std::max(reach, other.reach);
+    return both;
 }
 
 std::optional<LightTree::Choice> LightTree::choose(const Vec3d& point, const Vec3d& normal,

@@ -3,6 +3,7 @@
 #include "framework/math/bounds.h"
 #include "framework/scene/light.h"
 
+#include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,11 +12,11 @@ namespace luch {
 
 /// Chooses one of many lights for a surface point, each about as often as it matters there: a
 /// binary tree over the lights, descended from the root by the power of a subtree over the square
-/// of its distance, times the largest cosine with which it may shine on the surface (after Conty
-/// Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018,
-/// without their splitting). Of a single light its own shape is asked too: the side a rect light
-/// shines to, a spot's cone. A light that cannot shine on the point is never chosen, one that can
-/// always has a chance. Directional lights have no place and are not in it.
+/// of its distance, times the largest cosine with which it may shine on the surface, times the
+/// largest cosine to its own axes (after Conty Estevez and Kulla, "Importance Sampling of Many
+/// Lights with Adaptive Tree Splitting", 2018, without their splitting). A light that cannot shine
+/// on the point is never chosen, one that can always has a chance. Directional lights have no place
+/// and are not in it.
 class LightTree {
  public:
     explicit LightTree(std::span<const Light> lights);
@@ -36,12 +37,22 @@ class LightTree {
 
  private:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
+    /// The directions that a subtree shines in: some light's axis is within `spread` radians of
+    /// the axis, and light within `reach` of that.
+    struct Cone {
+        static constexpr double all = std::numbers::pi;
+        Vec3d axis{0, 1, 0};
+        double spread = all;
+        double reach = 0;
+
+        [[nodiscard]] bool everywhere() const { return !(spread + reach < all); }
+        [[nodiscard]] Cone with(const Cone& other) const;
+    };
     struct Node {
         Vec3d centre{0};
         double radius = 0;
         double power = 0;
-        Vec3d axis{0};           ///< of a leaf that shines to one side or into a cone
-        double axis_cosine = 0;  ///< the least cosine to the axis at which a point-like leaf shines
+        Cone cone;
         std::uint32_t parent = none;
         std::uint32_t child = none;  ///< the first of two neighbours; none: a leaf
         std::uint32_t light = none;  ///< of a leaf
