@@ -1,5 +1,6 @@
 #include "framework/accel/accelerator.h"
 
+#include "framework/accel/csg_hit.h"
 #include "framework/accel/mesh_bvh.h"
 #include "framework/accel/node_hit.h"
 #include "framework/accel/shapes.h"
@@ -122,17 +123,13 @@ class BvhAccelerator final : public Accelerator {
         if (const auto& mesh = meshes_[node.geometry]) {
             mesh->closest(object_ray(object), id, any, best, work);
         } else {
-            ++work.primitives;
-            std::visit([&](const auto& shape) { improve_with(shape, object, id, best); },
-                       scene_->geometries[node.geometry]);
+            const auto in_mesh = [&](GeometryId geometry, const Mesh&, const ObjectRay& in_frame,
+                                     Crossings& crossings) {
+                meshes_[geometry]->find_crossings(in_frame, crossings, work);
+            };
+            improve_with_shape(*scene_, node.geometry, object, id, best, work, in_mesh);
         }
         return !(best == before);
-    }
-
-    static void improve_with(const Mesh&, const Ray&, NodeId, Hit&) {}  // has a BVH of its own
-    template <class Shape>
-    static void improve_with(const Shape& shape, const Ray& ray, NodeId node, Hit& best) {
-        improve_with_shape(shape, ray, node, best);
     }
 
     const Scene* scene_;

@@ -9,6 +9,16 @@ Bvh<Box> bvh_of(const Mesh& mesh) {
     return Bvh<Box>(boxes);
 }
 
+/// For Bvh::walk.
+auto enter_node(const Bvh<Box>& bvh, const ObjectRay& ray, WorkCounts& work) {
+    return [&](std::uint32_t index) {
+        ++work.boxes;
+        const Interval in = slab(bvh.nodes()[index].box, ray);
+        return in.near <= in.far && in.far > ray.t_min ? in.near
+                                                       : std::numeric_limits<float>::quiet_NaN();
+    };
+}
+
 }  // namespace
 
 MeshBvh::MeshBvh(const Mesh& mesh) : bvh_(bvh_of(mesh)), cull_backfaces_(mesh.cull_backfaces) {
@@ -20,12 +30,6 @@ MeshBvh::MeshBvh(const Mesh& mesh) : bvh_(bvh_of(mesh)), cull_backfaces_(mesh.cu
 
 void MeshBvh::closest(const ObjectRay& ray, NodeId node, bool any, Hit& best,
                       WorkCounts& work) const {
-    const auto enter = [&](std::uint32_t index) {
-        ++work.boxes;
-        const Interval in = slab(bvh_.nodes()[index].box, ray);
-        return in.near <= in.far && in.far > ray.t_min ? in.near
-                                                       : std::numeric_limits<float>::quiet_NaN();
-    };
     const auto leaf = [&](const Bvh<Box>::Node& at) {
         work.primitives += at.count;
         bool found = false;
@@ -37,7 +41,23 @@ void MeshBvh::closest(const ObjectRay& ray, NodeId node, bool any, Hit& best,
         return any && found;
     };
     bvh_.walk(
-        enter, [&] { return best.t; }, leaf);
+        enter_node(bvh_, ray, work), [&] { return best.t; }, leaf);
+}
+
+void MeshBvh::find_crossings(const ObjectRay& ray, Crossings& crossings, WorkCounts& work) const {
+    const auto leaf = [&](const Bvh<Box>::Node& at) {
+        work.primitives += at.count;
+        for (std::uint32_t i = at.first; i < at.first + at.count; ++i) {
+            const Triangle& triangle = triangles_[i];
+            TriangleHit hit;
+            if (cross_triangle(ray, triangle.p0, triangle.p1, triangle.p2, hit)) {
+                crossings.add(hit, triangle.id);
+            }
+        }
+        return false;
+    };
+    bvh_.walk(
+        enter_node(bvh_, ray, work), [] { return std::numeric_limits<float>::infinity(); }, leaf);
 }
 
 bool improve(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,

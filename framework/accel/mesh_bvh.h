@@ -2,6 +2,7 @@
 
 #include "framework/accel/accelerator.h"
 #include "framework/accel/bvh.h"
+#include "framework/accel/crossings.h"
 #include "framework/accel/hit.h"
 #include "framework/scene/geometry.h"
 
@@ -15,6 +16,9 @@ class MeshBvh {
     /// Improves `best` (by nearer()) with the triangles of this mesh, seen as `node`. `ray` is in
     /// the mesh's frame. With `any`, the first hit found ends the search.
     void closest(const ObjectRay& ray, NodeId node, bool any, Hit& best, WorkCounts& work) const;
+
+    /// Adds all places where the ray passes through the mesh's surface, backfaces and all.
+    void find_crossings(const ObjectRay& ray, Crossings& crossings, WorkCounts& work) const;
 
     [[nodiscard]] std::uint64_t bytes() const {
         return bvh_.bytes() + triangles_.size() * sizeof(Triangle);

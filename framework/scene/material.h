@@ -22,7 +22,7 @@ struct Lambert {
 struct Phong {
     Rgb color{0.5f};
     TextureId texture = no_texture;
-    double specular = 1;
+    Rgb specular{1};
     double exponent = 10;
 };
 

@@ -7,7 +7,7 @@ namespace {
 
 Rgb muted(const Rgb& colour) {
     const Rgb grey((colour.r + colour.g + colour.b) / 3);
-    return grey + (colour - grey) * 0.25f;
+    return grey + (colour - grey) * 0.3f;
 }
 
 /// Frames are made pairwise; where one eye made more of them, the rest does not count.

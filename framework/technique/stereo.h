@@ -5,7 +5,7 @@
 namespace luch {
 
 /// The colour that red-cyan glasses take apart again: red from the left eye's picture, green and
-/// blue from the right's. Both are desaturated to a quarter first (c ← grey + (c − grey)/4, grey
+/// blue from the right's. Both are desaturated first (c ← grey + 0.3 (c − grey), grey
 /// the mean of the channels), so that no thing is bright for one eye and black for the other. In
 /// linear light.
 Rgb anaglyph(const Rgb& left, const Rgb& right);

@@ -23,7 +23,7 @@ struct MaterialShader {
     const Refraction* medium;  ///< what the ray came through; null: nothing
 
     Rgb operator()(const Lambert& material) const {
-        const auto no_highlight = [](const Vec3d&) { return 0.0f; };
+        const auto no_highlight = [](const Vec3d&) { return Rgb(0); };
         return lit(albedo(material.color, material.texture), no_highlight);
     }
 
@@ -32,7 +32,7 @@ struct MaterialShader {
         return lit(albedo(material.color, material.texture), [&](const Vec3d& to_light) {
             const Vec3d bounced = mirrored(-to_light, surface.normal);
             const double cosine = std::max(0.0, glm::dot(bounced, to_viewer));
-            return static_cast<float>(material.specular * std::pow(cosine, material.exponent));
+            return material.specular * static_cast<float>(std::pow(cosine, material.exponent));
         });
     }
 

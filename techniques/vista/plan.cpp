@@ -75,6 +75,18 @@ Stage sort_stage(const Scene& scene, const Params& params) {
                       : "there is nothing for one node to hide (the depth plane is not sorted)"};
 }
 
+/// A solid that the sides of its box cannot stand for.
+const Node* boundless_solid(const Scene& scene) {
+    for (const Node& node : scene.nodes) {
+        const auto* csg = std::get_if<Csg>(&scene.geometries[node.geometry]);
+        if (csg && !csg->bounds.empty() &&
+            !(all_finite(csg->bounds.lo) && all_finite(csg->bounds.hi))) {
+            return &node;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 float radius_px(const Scene& scene, const Node& node, const Screen& screen) {
@@ -112,6 +124,12 @@ Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
                 fmt::format("{} samples a pixel: the buffer knows what the pixels' centres see",
                             shot.spp),
                 {}};
+    }
+    if (const Node* node = boundless_solid(scene)) {
+        return {
+            false,
+            fmt::format("the solid \"{}\" has no end: no triangles can stand for it", node->name),
+            {}};
     }
     const Screen screen(shot.camera, shot.size);
     Plan plan{true, "one object test a covered pixel instead of a search", {}};

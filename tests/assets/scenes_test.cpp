@@ -40,7 +40,7 @@ int rays_that_escape(const Scene& scene) {
 }
 
 TEST(OwnScenes, LoadWithoutAWarning) {
-    for (const char* name : {"room", "spheres", "mirrors"}) {
+    for (const char* name : {"room", "spheres", "mirrors", "glass", "clay"}) {
         const Loaded scene = loaded(name);
         EXPECT_TRUE(scene.warnings.empty()) << name << ": " << scene.warnings.front();
         EXPECT_EQ(scene.scene.settings.frame, (Size{640, 480})) << name;
@@ -96,6 +96,60 @@ TEST(Mirrors, FaceEachOtherAndEndAtADepth) {
     ASSERT_TRUE(left && right);
     EXPECT_EQ(scene.nodes[left.node].name, "leftMirror");
     EXPECT_EQ(scene.nodes[right.node].name, "rightMirror");
+}
+
+TEST(Glass, StandsAsBlocksOfOneKindEachTwiceAsThickAsTheOneBefore) {
+    const Scene scene = loaded("glass").scene;
+    double thickness = 0.5;
+    for (int i = 1; i <= 5; ++i, thickness *= 2) {
+        const auto node = std::find_if(scene.nodes.begin(), scene.nodes.end(), [&](const Node& n) {
+            return n.name == "block" + std::to_string(i);
+        });
+        ASSERT_NE(node, scene.nodes.end()) << i;
+        EXPECT_DOUBLE_EQ(node->to_world.matrix[2][2], thickness);
+        EXPECT_EQ(node->material, scene.nodes.back().material);
+    }
+}
+
+/// Rays through a closed surface enter as often as they leave.
+TEST(Glass, HasVesselsAndDrinksWithoutHoles) {
+    const Scene scene = loaded("glass").scene;
+    for (const char* name : {"tumbler", "drink", "wineGlass", "wine"}) {
+        const auto node = std::find_if(scene.nodes.begin(), scene.nodes.end(),
+                                       [&](const Node& n) { return n.name == name; });
+        ASSERT_NE(node, scene.nodes.end());
+        const auto& mesh = std::get<Mesh>(scene.geometries[node->geometry]);
+        Scene alone;
+        alone.geometries.emplace_back(mesh);
+        alone.materials.emplace_back(Const{});
+        add_node(alone, name, 0, 0, {});
+        const auto accelerator = build_accelerator(alone);
+        WorkCounts work;
+        for (int k = 0; k < 500; ++k) {
+            const Vec2d p = Key(k).square(0);
+            Ray ray{{8 * p.x - 4, 30, 8 * p.y - 4}, direction(Key(k).branch(1))};
+            ray.direction = glm::normalize(Vec3d(0.1 * ray.direction.x, -1, ray.direction.z * 0.1));
+            int inside = 0;
+            for (Hit hit; (hit = accelerator->closest(ray, work)); ray.t_min = hit.t) {
+                const Vec3d normal = glm::cross(
+                    Vec3d(mesh.corner(hit.primitive, 1) - mesh.corner(hit.primitive, 0)),
+                    Vec3d(mesh.corner(hit.primitive, 2) - mesh.corner(hit.primitive, 0)));
+                inside += glm::dot(normal, ray.direction) < 0 ? 1 : -1;
+                EXPECT_GE(inside, 0) << name << ", ray " << k;
+            }
+            EXPECT_EQ(inside, 0) << name << ", ray " << k;
+        }
+    }
+}
+
+TEST(Clay, HasNoLightButTheSkyAndNothingToLookUp) {
+    const Scene scene = loaded("clay").scene;
+    EXPECT_TRUE(scene.lights.empty());
+    EXPECT_TRUE(scene.textures.empty());
+    ASSERT_TRUE(scene.environment);
+    EXPECT_EQ(std::get<ConstantEnvironment>(*scene.environment).color,
+              scene.settings.ambient_light);
+    EXPECT_EQ(count_of<Lambert>(scene.materials), static_cast<long>(scene.materials.size()));
 }
 
 }  // namespace

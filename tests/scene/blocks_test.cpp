@@ -139,7 +139,7 @@ TEST_F(Blocks, ReadShaders) {
     const auto& phong = std::get<Phong>(scene.materials[1]);
     EXPECT_EQ(phong.color, Rgb(0.5f));
     EXPECT_EQ(phong.texture, no_texture);
-    EXPECT_EQ(phong.specular, 2);
+    EXPECT_EQ(phong.specular, Rgb(2));
     EXPECT_EQ(phong.exponent, 3);
     const auto& reflection = std::get<Reflection>(scene.materials[2]);
     EXPECT_EQ(reflection.multiplier, Rgb(1, 0, 1));

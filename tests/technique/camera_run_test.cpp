@@ -155,11 +155,11 @@ TEST(Cameras, OfEveryKindAreBitIdenticalOnAnyNumberOfThreads) {
 
 TEST(Anaglyph, TakesRedFromTheLeftAndTheRestFromTheRight) {
     EXPECT_EQ(anaglyph(Rgb(0.5f), Rgb(0.25f)), Rgb(0.5f, 0.25f, 0.25f));
-    // Grey 0.4; a quarter of the way from it to each channel.
+    // Grey 0.4; three tenths of the way from it to each channel.
     const Rgb colour = anaglyph({0.8f, 0.4f, 0}, {0.8f, 0.4f, 0});
-    EXPECT_NEAR(colour.r, 0.5f, 1e-6f);
+    EXPECT_NEAR(colour.r, 0.52f, 1e-6f);
     EXPECT_NEAR(colour.g, 0.4f, 1e-6f);
-    EXPECT_NEAR(colour.b, 0.3f, 1e-6f);
+    EXPECT_NEAR(colour.b, 0.28f, 1e-6f);
 }
 
 TEST(StereoOutcome, NeedsAStageWhenEitherEyeDoes) {

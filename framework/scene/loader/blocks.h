@@ -19,11 +19,18 @@ struct Loading {
     Scene scene;
     std::vector<int> material_lines;           ///< of Scene::materials
     std::string settings_class, camera_class;  ///< of the block that counts; "" while there is none
+    struct Solid {
+        GeometryId geometry;
+        int line;
+    };
+    std::vector<Solid> solids;  ///< in the order of Scene::geometries
 };
 
 // settings.cpp
 void read_settings(Properties& block, Loading& loading);
 void read_camera(Properties& block, Loading& loading);
+/// A camera of the older dialects.
+void read_spherical_lens_camera(Properties& block, Loading& loading);
 void read_fisheye_camera(Properties& block, Loading& loading);
 void read_spherical_camera(Properties& block, Loading& loading);
 void read_orthographic_camera(Properties& block, Loading& loading);
@@ -44,6 +51,15 @@ void read_plane(Properties& block, Loading& loading);
 void read_sphere(Properties& block, Loading& loading);
 void read_cube(Properties& block, Loading& loading);
 void read_mesh(Properties& block, Loading& loading);
+void read_heightfield(Properties& block, Loading& loading);
+
+// solids.cpp
+void read_union(Properties& block, Loading& loading);
+void read_intersection(Properties& block, Loading& loading);
+void read_difference(Properties& block, Loading& loading);
+/// Unfolds all solids, once all geometries are read. Throws Error when one contains itself, is
+/// nested deeper than 256, or unfolds to more parts than Csg allows.
+void unfold_solids(Loading& loading);
 
 // materials.cpp
 void read_lambert(Properties& block, Loading& loading);

@@ -56,4 +56,29 @@ void read_mesh(Properties& block, Loading& loading) {
     loading.scene.geometries.emplace_back(std::move(mesh));
 }
 
+void read_heightfield(Properties& block, Loading& loading) {
+    constexpr Range blurs{0, 1000};
+    constexpr float highest = 1e18f;
+    const Property& property = block.required("file");
+    const std::filesystem::path file = loading.assets.path(block, property);
+    const double blur = block.number("blur", 0, blurs);
+    block.accept({"useOptimization"});
+
+    const Place place = loading.diagnostics.place(property.line);
+    const Image<Rgb> picture = loading.assets.picture(file, 1, place);
+    Image<float> heights(picture.size());
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
+        const Rgb& pixel = picture.pixels()[i];
+        const float height = (pixel.r + pixel.g + pixel.b) / 3;
+        if (!(std::abs(height) <= highest)) {
+            throw Error(place, fmt::format("{}: pixel ({}, {}) is {}; heights are numbers up to "
+                                           "{:g}",
+                                           file.string(), i % picture.width(), i / picture.width(),
+                                           height, highest));
+        }
+        heights.pixels()[i] = height;
+    }
+    loading.scene.geometries.emplace_back(Heightfield(blurred(heights, blur)));
+}
+
 }  // namespace luch::loader

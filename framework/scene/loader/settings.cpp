@@ -25,7 +25,7 @@ bool is_first(Properties& block, std::string& seen) {
 Camera common_camera(Properties& block, Projection projection) {
     Camera camera;
     camera.projection = projection;
-    camera.position = block.required_vector("pos");
+    camera.position = block.required_vector({"pos", "position"});
     camera.yaw_deg = block.number("yaw", camera.yaw_deg);
     camera.pitch_deg = block.number("pitch", camera.pitch_deg, {-90, 90});
     camera.roll_deg = block.number("roll", camera.roll_deg);
@@ -64,6 +64,13 @@ void read_settings(Properties& block, Loading& loading) {
     settings.paths = block.integer("numPaths", settings.paths, {1, 1e6});
     settings.threads = block.integer("numThreads", settings.threads, {0, 1024});
     block.accept({"interactive", "prepassSamples", "foveatedRadius", "dbg"});
+    for (const Property* line :
+         block.lines({"lightPos", "lightColor", "lightPower", "lightIntensity"})) {
+        loading.diagnostics.warn(line->line,
+                                 fmt::format("{} has no effect; write a PointLight with pos, color "
+                                             "and power instead",
+                                             line->name));
+    }
     if (is_first(block, loading.settings_class)) loading.scene.settings = settings;
 }
 
@@ -87,6 +94,14 @@ void read_orthographic_camera(Properties& block, Loading& loading) {
     Camera camera = common_camera(block, Projection::orthographic);
     camera.width = block.number("width", camera.width, positive);
     keep_first(block, loading, camera);
+}
+
+void read_spherical_lens_camera(Properties& block, Loading& loading) {
+    loading.diagnostics.warn(block.block().line,
+                             "SphericalLensCamera is read as a Camera, whose lens has no spherical "
+                             "aberration; write Camera");
+    block.accept({"lensDist", "convexity", "sensorScaling"});
+    read_camera(block, loading);
 }
 
 }  // namespace luch::loader
