@@ -39,7 +39,7 @@ void Bsdf::add(const Scene& scene, const Material& material, const Vec3d& weight
     } else if (const auto* phong = std::get_if<Phong>(&material)) {
         const Vec3d colour = albedo(scene, phong->color, phong->texture);
         const double left = std::clamp(1 - max_norm(colour), 0.0, 1.0);
-        const double share = std::clamp(phong->specular, 0.0, 1.0) * left;
+        const Vec3d share = left * Vec3d(glm::clamp(phong->specular, 0.0f, 1.0f));
         add_lobe({.kind = Lobe::diffuse, .weight = weight * colour});
         add_lobe({.kind = Lobe::highlight, .weight = weight * share, .shape = phong->exponent});
     } else if (const auto* mirror = std::get_if<Reflection>(&material)) {

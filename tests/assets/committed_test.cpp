@@ -25,7 +25,7 @@ TEST(CommittedAssets, AreWhatTheGeneratorWrites) {
 
 TEST(CommittedAssets, StaySmall) {
     std::uintmax_t bytes = 0;
-    for (const char* scene : {"room", "spheres", "mirrors"}) {
+    for (const char* scene : {"room", "spheres", "mirrors", "cornell"}) {
         for (const auto& entry : std::filesystem::recursive_directory_iterator(scenes / scene)) {
             if (entry.is_regular_file()) bytes += entry.file_size();
         }
@@ -35,7 +35,7 @@ TEST(CommittedAssets, StaySmall) {
 }
 
 TEST(CommittedAssets, HaveALicenceInEveryScene) {
-    for (const char* scene : {"room", "spheres", "mirrors"}) {
+    for (const char* scene : {"room", "spheres", "mirrors", "cornell"}) {
         EXPECT_NE(read_text(scenes / scene / "LICENSE").find("CC0"), std::string::npos) << scene;
     }
 }

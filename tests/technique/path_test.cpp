@@ -198,7 +198,7 @@ std::vector<std::pair<std::string, Scene>> extremes() {
     floor_of("albedo 3", Lambert{.color = Rgb(3)});
     floor_of("albedo 1e30", Lambert{.color = Rgb(1e30f)});
     floor_of("a negative albedo", Lambert{.color = {-1, 0.5f, 2}});
-    floor_of("specular 1e6", Phong{.color = Rgb(2), .specular = 1e6});
+    floor_of("specular 1e6", Phong{.color = Rgb(2), .specular = Rgb(1e6f)});
     floor_of("no layers", Layered{});
     return cases;
 }

@@ -59,7 +59,7 @@ TEST(PathFurnace, GivesBackAllThatPhongTakesSeenFromStraightAbove) {
         Scene scene = testing::dark_scene();
         testing::set_sky(scene, Rgb(1));
         testing::add(scene, Plane{},
-                     Phong{.color = Rgb(0.4f), .specular = 1, .exponent = exponent});
+                     Phong{.color = Rgb(0.4f), .specular = Rgb(1), .exponent = exponent});
         const PathBench bench(std::move(scene));
         for (const auto& [name, settings] : testing::all_ways(4)) {
             // The sky's cells are far larger than the sharpest highlights.

@@ -50,7 +50,7 @@ Scene sunny_sky() {
 }
 
 Scene shiny_floor() {
-    Scene scene = corner(Phong{.color = {0.3f, 0.2f, 0.1f}, .specular = 0.9, .exponent = 60});
+    Scene scene = corner(Phong{.color = {0.3f, 0.2f, 0.1f}, .specular = Rgb(0.9f), .exponent = 60});
     add_lamp(scene, 0.8, {0.4, 1.6, 1}, 6);
     scene.lights.emplace_back(PointLight{.position = {-1, 2, -1}, .power = 2});
     return scene;
