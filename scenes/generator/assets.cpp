@@ -1,5 +1,6 @@
 #include "scenes/generator/assets.h"
 
+#include "scenes/generator/cornell.h"
 #include "scenes/generator/dice.h"
 #include "scenes/generator/forest.h"
 #include "scenes/generator/island.h"
@@ -65,6 +66,9 @@ std::vector<Asset> all_assets() {
         {"die/die.scene", dice_scene()},
         {"die/boards.bmp", bmp_bytes(boards({256, 256}))},
     };
+    for (const auto& [name, obj] : cornell_parts()) {
+        assets.push_back({"cornell/" + name + ".obj", obj});
+    }
     for (const auto& [side, image] : evening_sky(64)) {
         assets.push_back({"mirrors/sky/" + side + ".bmp", bmp_bytes(image)});
     }

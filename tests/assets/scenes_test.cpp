@@ -251,5 +251,23 @@ TEST(Clay, HasNoLightButTheSkyAndNothingToLookUp) {
     EXPECT_EQ(count_of<Lambert>(scene.materials), static_cast<long>(scene.materials.size()));
 }
 
+TEST(Cornell, IsABoxWithOneOpenSideAndAsksForGlobalIllumination) {
+    const Scene scene = loaded("cornell").scene;
+    EXPECT_TRUE(scene.settings.global_illumination);
+    EXPECT_EQ(count_of<RectLight>(scene.lights), 1);
+    EXPECT_EQ(scene.lights.size(), 1u);
+    const Vec3d middle{278, 440, 280};
+    const auto wall = [&](const Vec3d& direction) {
+        const Hit hit = closest_brute(scene, {middle, direction});
+        return hit ? scene.nodes[hit.node].name : "nothing";
+    };
+    EXPECT_EQ(wall({-1, 0, 0}), "redWall");
+    EXPECT_EQ(wall({1, 0, 0}), "greenWall");
+    EXPECT_EQ(wall({0, 0, 1}), "whiteWalls");
+    EXPECT_EQ(wall({0, 1, 0}), "lamp");
+    EXPECT_EQ(wall({0, 0, -1}), "nothing");
+    EXPECT_EQ(wall(Vec3d(0.35, -1, -0.35)), "shortBlock");
+}
+
 }  // namespace
 }  // namespace luch
