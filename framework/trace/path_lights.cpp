@@ -29,8 +29,10 @@ void PathLights::match_faces(const Scene& scene) {
     // Lights and faces are added together, so they come in the same order.
     std::size_t next = 0;
     for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
-        if (!std::holds_alternative<Emission>(scene.materials[scene.nodes[node].material]))
-            continue;
+        // No file's mesh is a face.
+        const MaterialId material = scene.nodes[node].material;
+        if (material == materials_of_file) continue;
+        if (!std::holds_alternative<Emission>(scene.materials[material])) continue;
         while (next < scene.lights.size() && rect_of_light_[next] == no_light) ++next;
         if (next == scene.lights.size()) return;
         light_of_node_[node] = static_cast<std::uint32_t>(next++);
