@@ -70,10 +70,15 @@ class BvhAccelerator final : public Accelerator {
  private:
     /// Unbounded nodes into a list of their own, the others into the world's BVH.
     void sort_nodes() {
+        // Once a geometry, not once a node: a forest's nodes share a few large meshes.
+        std::vector<Boxd> of_geometry;
+        for (const Geometry& geometry : scene_->geometries) {
+            of_geometry.push_back(bounds_of(geometry));
+        }
         std::vector<Boxd> boxes;
         for (NodeId id = 0; id < scene_->nodes.size(); ++id) {
             const Node& node = scene_->nodes[id];
-            const Boxd box = node.to_world.box(bounds_of(scene_->geometries[node.geometry]));
+            const Boxd box = node.to_world.box(of_geometry[node.geometry]);
             if (box.empty()) continue;
             if (!all_finite(box.lo) || !all_finite(box.hi)) {
                 unbounded_.push_back(id);

@@ -20,17 +20,17 @@ template <class InMesh>
 std::optional<Hit> intersect(const Csg& csg, const std::vector<Geometry>& geometries,
                              const Ray& ray, WorkCounts& work, InMesh&& in_mesh) {
     if (csg.bounds.empty()) return std::nullopt;
-    Ray whole = ray;
-    whole.t_max = std::numeric_limits<float>::infinity();
     Crossings crossings(ray);
     for (std::uint32_t i = 0; i < csg.parts.size(); ++i) {
         crossings.begin(i);
         const Csg::Part& part = csg.parts[i];
         const Geometry& geometry = geometries[part.geometry];
         if (const auto* mesh = std::get_if<Mesh>(&geometry)) {
-            in_mesh(part.geometry, *mesh, object_ray(part.to_frame.ray(whole)), crossings);
+            ObjectRay in_frame = object_ray(part.to_frame.ray(ray));
+            in_frame.t_max = std::numeric_limits<float>::infinity();
+            in_mesh(part.geometry, *mesh, in_frame, crossings);
         } else {
-            find_crossings(geometry, whole, crossings, work);
+            find_crossings(geometry, ray, crossings, work);
         }
     }
     return first_change(csg, crossings, ray);

@@ -68,14 +68,12 @@ class Walk {
             const Leg leg = leg_from(now, level);
             const auto [lo, hi] = field_.range(level, cell_[0], cell_[1]);
             const double y0 = y_at(leg.begin), y1 = y_at(leg.end);
-            if (std::min(y0, y1) > hi || std::max(y0, y1) < lo) {
-                above_ = y0 > hi;
-            } else if (level > 0) {
+            const bool passes = std::min(y0, y1) > hi || std::max(y0, y1) < lo;
+            if (!passes && level > 0) {
                 --level;
                 continue;
-            } else if (cross_cell(leg, found)) {
-                return;
             }
+            if (!passes && cross_cell(leg, found)) return;
             const std::array<int, 2> before = cell_;
             if (!leave(leg, level)) return;
             now = leg.end;

@@ -39,16 +39,6 @@ int checked_threads(int threads) {
                             Workers::most_threads));
 }
 
-/// What a scene asks for and this version does not do is said, not passed over.
-void warn_of_version(const Scene& scene) {
-    const auto warn = [&](const char* what) {
-        fmt::print(stderr, "luch: warning: {}: {}\n", scene.name, what);
-    };
-    if (scene.settings.global_illumination) {
-        warn("gi is on; there is no path tracer yet, so the light is the classic tracer's");
-    }
-}
-
 }  // namespace
 
 void SceneOptions::declare(Arguments& arguments) {
@@ -112,7 +102,6 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
     }
     scene_ = std::make_unique<Scene>(std::move(loaded.scene));
     load_ms_ = ms_since(loading);
-    warn_of_version(*scene_);
     const auto building = std::chrono::steady_clock::now();
     accelerator_ = build_accelerator(*scene_);
     build_ms_ = ms_since(building);
@@ -123,6 +112,10 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
     shot_.spp = options.spp;
     shot_.seed = options.seed;
     budget_.skip = !options.no_skip;
+}
+
+std::string default_technique(const Scene& scene) {
+    return scene.settings.global_illumination ? "path" : "baseline";
 }
 
 std::unique_ptr<Technique> make_technique(const std::string& name,

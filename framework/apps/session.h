@@ -54,6 +54,10 @@ std::unique_ptr<Technique> make_technique(const std::string& name,
 /// option when the text says something else.
 Camera moved_camera(Camera camera, const std::string& text, const std::string& option);
 
+/// What renders a scene when nobody says: the path tracer where it asks for global illumination
+/// (gi), else the baseline.
+std::string default_technique(const Scene& scene);
+
 /// "640x480" → {640, 480}. Throws Error when it is anything else, or a side is not in 1..16384.
 Size parsed_size(const std::string& text);
 

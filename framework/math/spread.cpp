@@ -26,14 +26,16 @@ std::uint32_t owen_scrambled(std::uint32_t bits, std::uint32_t seed) {
     return reversed(x);
 }
 
-/// The second dimension of Sobol's sequence: direction numbers of the primitive polynomial x + 1,
-/// v ← v ^ (v >> 1).
+/// The second dimension of Sobol's sequence, for which v_0 = 2³¹ and v_k = v_(k−1) ^ (v_(k−1) >>
+/// 1): in reversed bits v_k is the polynomial (1 + x)^k over the field of two elements, so the sum
+/// over the index's bits is a polynomial shifted by 1. Shifted by halves: x^2m becomes x^2m + 1.
 std::uint32_t sobol_second(std::uint32_t index) {
-    std::uint32_t x = 0;
-    for (std::uint32_t v = 1u << 31; index != 0; index >>= 1, v ^= v >> 1) {
-        if (index & 1) x ^= v;
-    }
-    return x;
+    index ^= index >> 16;
+    index ^= (index >> 8) & 0x00ff00ffu;
+    index ^= (index >> 4) & 0x0f0f0f0fu;
+    index ^= (index >> 2) & 0x33333333u;
+    index ^= (index >> 1) & 0x55555555u;
+    return reversed(index);
 }
 
 }  // namespace

@@ -43,6 +43,9 @@ struct Mesh {
     std::vector<Vec3> normals;    ///< unit length
     std::vector<Vec2> uvs;
     std::vector<Triangle> triangles;
+    /// Of each triangle, where the mesh's file has materials of its own (glTF); else empty. Seen
+    /// only by nodes that ask for them: materials_of_file.
+    std::vector<std::uint32_t> materials;
     Transform from_frame;
     bool faceted = false;
     bool cull_backfaces = false;

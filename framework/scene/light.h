@@ -22,6 +22,9 @@ struct RectLight {
     float power = 1;
     int x_samples = 3;
     int y_samples = 3;
+
+    /// The unit normal of its lit side, in world space.
+    [[nodiscard]] Vec3d facing() const;
 };
 
 /// A point light that shines into a cone only: in full up to `inner_cosine` from its direction,

@@ -11,6 +11,9 @@ namespace luch {
 
 /// Index into Scene::materials.
 using MaterialId = std::uint32_t;
+/// A node's material when its mesh has some of its own, one for each triangle: Mesh::materials.
+/// Nobody but material_of() (scene.h) needs to know.
+inline constexpr MaterialId materials_of_file = ~MaterialId{0};
 
 /// Diffuse: colour, or a texture that replaces it.
 struct Lambert {

@@ -24,6 +24,13 @@ void add_rect_light(Scene& scene, std::string name, const RectLight& light) {
              static_cast<MaterialId>(scene.materials.size() - 1), light.to_world);
 }
 
+const Material& material_of(const Scene& scene, const Hit& hit) {
+    const Node& node = scene.nodes[hit.node];
+    if (node.material != materials_of_file) return scene.materials[node.material];
+    const auto& mesh = std::get<Mesh>(scene.geometries[node.geometry]);
+    return scene.materials[mesh.materials[hit.primitive]];
+}
+
 Rgb sky_radiance(const Scene& scene, const Vec3d& direction) {
     if (!scene.environment) return scene.settings.background;
     return std::visit([&](const auto& sky) { return sky.radiance(direction); }, *scene.environment);

@@ -19,7 +19,7 @@ namespace luch {
 struct Node {
     std::string name;
     GeometryId geometry = 0;
-    MaterialId material = 0;
+    MaterialId material = 0;  ///< may be materials_of_file: ask material_of()
     TextureId bump = no_texture;
     bool moving = false;  ///< said by the scene, for techniques that keep what stands still
     Transform to_world;   ///< from the geometry's coordinates (a mesh's own frame included)
@@ -46,6 +46,10 @@ NodeId add_node(Scene& scene, std::string name, GeometryId geometry, MaterialId 
 
 /// Adds a rect light and the node that is its visible face.
 void add_rect_light(Scene& scene, std::string name, const RectLight& light);
+
+/// The material of what a ray met: the node's, or that of the triangle in the mesh's file. The only
+/// way to find it.
+const Material& material_of(const Scene& scene, const Hit& hit);
 
 /// Light that the sky sends from a direction: the environment's, else the background colour.
 Rgb sky_radiance(const Scene& scene, const Vec3d& direction);

@@ -36,7 +36,9 @@ Rgb colour_of(const CheckerTexture& checker, const TexturePoint& point) {
     return std::fmod(squares, 2) == 0 ? checker.color1 : checker.color2;
 }
 Rgb colour_of(const BitmapTexture& bitmap, const TexturePoint& point) {
-    return sampled(bitmap.pixels, point.uv.x / bitmap.scaling, point.uv.y / bitmap.scaling);
+    const Vec2d size(bitmap.pixels.width(), bitmap.pixels.height());
+    const Vec2d at = point.uv / bitmap.scaling - bitmap.texel_centre / size;
+    return sampled(bitmap.pixels, at.x, at.y);
 }
 Rgb colour_of(const Fresnel& fresnel, const TexturePoint& point) {
     const double root = (1 - fresnel.ior) / (1 + fresnel.ior);

@@ -23,6 +23,9 @@ struct CheckerTexture {
 struct BitmapTexture {
     Image<Rgb> pixels;
     double scaling = 100;
+    /// Where in its pixel a texel's colour is exact: at its corner in the course's format, in the
+    /// middle (½) in glTF.
+    double texel_centre = 0;
 };
 
 /// The slopes of a grey height picture: (a, b) at each pixel, see scene-format's BumpTexture.

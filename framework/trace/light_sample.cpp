@@ -39,10 +39,7 @@ LightSample sample(const RectLight& light, int cell, Key key, const Surface& sur
     const Vec2d inside = key.square(static_cast<std::uint64_t>(cell));
     const double x = (column + inside.x) / light.x_samples - 0.5;
     const double z = (row + inside.y) / light.y_samples - 0.5;
-    const double orientation = glm::determinant(light.to_world.matrix) < 0 ? -1 : 1;
-    const Vec3d facing =
-        orientation * glm::normalize(glm::cross(light.to_world.direction({1, 0, 0}),
-                                                light.to_world.direction({0, 0, 1})));
+    const Vec3d facing = light.facing();
     // Lifted off the light's own visible face, which would block half of the rays by rounding.
     Vec3d place = light.to_world.point({x, 0, z});
     place += 0x1p-44 * (max_norm(place) + max_norm(light.to_world.matrix)) * facing;

@@ -158,9 +158,8 @@ Rgb Whitted::shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int de
     RayLog::Branch branch(tracer_->log());
     branch.follow();
     const Surface surface = surface_at(*scene_, ray, hit, needs_.surface);
-    const Material& material = scene_->materials[scene_->nodes[hit.node].material];
     return std::visit(MaterialShader{*this, *scene_, surface, ray, kind, key, depth, medium},
-                      material);
+                      material_of(*scene_, hit));
 }
 
 }  // namespace luch

@@ -1,8 +1,11 @@
 #include "scenes/generator/assets.h"
 
+#include "scenes/generator/cornell.h"
 #include "scenes/generator/dice.h"
+#include "scenes/generator/forest.h"
 #include "scenes/generator/island.h"
 #include "scenes/generator/lathe.h"
+#include "scenes/generator/many_lights.h"
 #include "scenes/generator/masonry.h"
 #include "scenes/generator/prints.h"
 #include "scenes/generator/sixty_spheres.h"
@@ -10,6 +13,7 @@
 #include "scenes/generator/stationery.h"
 #include "scenes/generator/teapot.h"
 #include "scenes/generator/textures.h"
+#include "scenes/generator/toys.h"
 
 namespace luch::assets {
 namespace {
@@ -50,6 +54,7 @@ std::vector<Asset> all_assets() {
         {"room/plaster.bmp", bmp_bytes(plaster({256, 256}))},
         {"room/landscape.bmp", bmp_bytes(landscape({160, 104}))},
         {"spheres/spheres.scene", sixty_spheres_scene()},
+        {"many_lights/many_lights.scene", many_lights_scene()},
         {"mirrors/teapot.obj", obj_text(teapot(6), about_teapot)},
         {"glass/tumbler.obj", obj_text(tumbler(48), about_glass)},
         {"glass/drink.obj", obj_text(tumbler_drink(48), about_glass)},
@@ -61,6 +66,9 @@ std::vector<Asset> all_assets() {
         {"die/die.scene", dice_scene()},
         {"die/boards.bmp", bmp_bytes(boards({256, 256}))},
     };
+    for (const auto& [name, obj] : cornell_parts()) {
+        assets.push_back({"cornell/" + name + ".obj", obj});
+    }
     for (const auto& [side, image] : evening_sky(64)) {
         assets.push_back({"mirrors/sky/" + side + ".bmp", bmp_bytes(image)});
     }
@@ -69,9 +77,12 @@ std::vector<Asset> all_assets() {
     for (const auto& [side, image] : evening_sky(64)) {
         assets.push_back({"die/sky/" + side + ".bmp", bmp_bytes(image)});
     }
-    for (const auto& [side, image] : fair_sky(192)) {
+    for (const auto& [side, image] : fair_sky(128)) {
         assets.push_back({"island/sky/" + side + ".bmp", bmp_bytes(image)});
     }
+    assets.push_back({"toys/toy_windmill.glb", glb_bytes(toy_windmill())});
+    for (Asset& file : gltf_files(toy_train(), "toys/toy_train")) assets.push_back(std::move(file));
+    for (Asset& file : forest_files()) assets.push_back(std::move(file));
     return assets;
 }
 

@@ -35,16 +35,16 @@ GlobalSettings {
 }
 
 Camera camera {
-	pos              (0.4, 5.4, -9.2)
+	pos              (0.2, 5.6, -10)
 	yaw              -1
 	pitch            -27
-	fov              47
+	fov              49
 	aspectRatio      1.3333333
 }
 
 RectLight lamp {
 	color            (1, 0.94, 0.84)
-	power            190
+	power            150
 	xSubd            4
 	ySubd            4
 	scale            (4, 1, 4)

@@ -36,14 +36,14 @@ double height_at(double x, double y) {
     const double bend = Noise(71).fractal(x, y, 3, 3, 5) - 0.5;
     const double dx = x - 0.5, dy = 1.15 * (y - 0.52);
     const double shore = std::sqrt(dx * dx + dy * dy) + 0.34 * bend;
-    const double land = smooth_step(0.42, 0.06, shore);
-    const double rise = smooth_step(0.30, 0.02, shore);
-    double height = 0.34 * land + 0.72 * rise * rise * ridges(x, y);
-    height += 0.05 * land * (Noise(72).fractal(x, y, 8, 8, 4) - 0.5);
-    height -= 0.30 * bump_at(x - 0.40, y - 0.26, 0.17);  // the bay
-    for (const auto& [rx, ry, size] : {std::array{0.66, 0.14, 0.030}, std::array{0.70, 0.17, 0.020},
-                                       std::array{0.20, 0.20, 0.026}}) {
-        height += 0.45 * bump_at(x - rx, y - ry, size);
+    const double land = smooth_step(0.52, 0.10, shore);
+    const double rise = smooth_step(0.38, 0.04, shore);
+    double height = 0.44 * land + 0.53 * rise * rise * ridges(x, y);
+    height += 0.14 * rise * (Noise(72).fractal(x, y, 12, 12, 4) - 0.5);
+    height -= 0.25 * bump_at(x - 0.44, y - 0.27, 0.15);  // the bay
+    for (const auto& [rx, ry, size] : {std::array{0.66, 0.10, 0.030}, std::array{0.70, 0.13, 0.020},
+                                       std::array{0.22, 0.12, 0.026}}) {
+        height += 0.36 * bump_at(x - rx, y - ry, size);
     }
     return height;
 }
@@ -56,7 +56,7 @@ IndexedImage island_heights(Size size) {
 }
 
 IndexedImage island_colours(Size size) {
-    constexpr Byte3 stops[] = {{150, 146, 120}, {206, 190, 140}, {232, 214, 162}, {140, 158, 70},
+    constexpr Byte3 stops[] = {{110, 140, 170}, {226, 212, 164}, {232, 214, 162}, {140, 158, 70},
                                {86, 124, 50},   {58, 96, 44},    {74, 92, 56},    {124, 112, 98},
                                {150, 140, 130}, {236, 238, 242}};
     constexpr double rock = 7.2 / 9;

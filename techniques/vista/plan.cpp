@@ -48,6 +48,16 @@ std::size_t crossing_nodes(const Scene& scene, const Screen& screen) {
     });
 }
 
+/// Triangles of all meshes, once for every node that shows them.
+std::uint64_t instanced_triangles(const Scene& scene) {
+    std::uint64_t count = 0;
+    for (const Node& node : scene.nodes) {
+        const auto* mesh = std::get_if<Mesh>(&scene.geometries[node.geometry]);
+        if (mesh != nullptr) count += mesh->triangles.size();
+    }
+    return count;
+}
+
 Stage lod_stage(const Scene& scene, const Params& params) {
     const std::size_t spheres = nodes_with<Sphere>(scene);
     if (params.segments != 0) {
@@ -123,6 +133,14 @@ Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
         return {false,
                 fmt::format("{} samples a pixel: the buffer knows what the pixels' centres see",
                             shot.spp),
+                {}};
+    }
+    constexpr std::uint64_t most_triangles = 1 << 23;
+    if (const std::uint64_t count = instanced_triangles(scene); count > most_triangles) {
+        return {false,
+                fmt::format("{} triangles, instances counted: the buffer holds each of them, and "
+                            "more than {} are too many",
+                            count, most_triangles),
                 {}};
     }
     if (const Node* node = boundless_solid(scene)) {

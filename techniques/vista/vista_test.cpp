@@ -300,6 +300,20 @@ std::vector<std::string> left_out(const Scene& scene, const std::vector<std::str
     return names;
 }
 
+TEST(Vista, DoesNotApplyToMoreTrianglesThanItsBufferShouldHold) {
+    Scene scene = testing::empty_scene();
+    add_shape(scene, testing::uv_sphere(65, 64, 1));
+    while (scene.nodes.size() < 1024) scene.nodes.push_back(scene.nodes.front());
+    const Plan few = vista()->plan(scene, shot_of(scene));
+    EXPECT_TRUE(few.applies) << few.why;
+    while (scene.nodes.size() < 1025) scene.nodes.push_back(scene.nodes.front());
+    const Plan many = vista()->plan(scene, shot_of(scene));
+    EXPECT_FALSE(many.applies);
+    EXPECT_EQ(many.why,
+              "8396800 triangles, instances counted: the buffer holds each of them, and more than "
+              "8388608 are too many");
+}
+
 TEST(Vista, LeavesOutWhatASceneDoesNotNeed) {
     using Names = std::vector<std::string>;
     EXPECT_EQ(left_out(testing::one_of_each()), Names{});

@@ -107,6 +107,12 @@ TEST(CsgShape, CountsCrossingsBeyondTheRaysEnd) {
     EXPECT_EQ(hit_in(scene, ray).primitive, 6u);
     EXPECT_FLOAT_EQ(hit_in(scene, {{-1.5, 0, 0}, {1, 0, 0}, 0.5f, 9}).t, 2.5);
     EXPECT_FALSE(hit_in(scene, {{-1.5, 0, 0}, {1, 0, 0}, 0, 0.5f}));
+    // The same of parts that are followed along the ray: a ball of triangles, and ground.
+    const std::vector<Geometry> others{testing::uv_sphere(8, 12, 2),
+                                       Heightfield(Image<float>({4, 4}, 0.5f))};
+    const Scene cut = scene_of(others, make_csg(Operation::subtract, 0, 1, others));
+    EXPECT_FLOAT_EQ(hit_in(cut, {{0.3, 1.5, 0.2}, {0, -1, 0}, 0, 1.1f}).t, 1);
+    EXPECT_FALSE(hit_in(cut, {{0.3, 1.5, 0.2}, {0, -1, 0}, 0, 0.9f}));
 }
 
 TEST(CsgShape, HasNoWallWherePartsTouch) {
@@ -204,6 +210,32 @@ TEST(Crossings, DecideEveryEdgeTheSameFromBothSides) {
         }
     }
     EXPECT_EQ(tilted_edge_sign({1, 2, 3}, {2, 4, 6}, {1, 0, 0}), 0);
+}
+
+__extension__ typedef __int128 Whole;
+
+TEST(Crossings, KnowSignsThatDoubleArithmeticCannot) {
+    // Whole numbers of 24 bits, all but parallel: the products have 72 bits and cancel.
+    int beyond_double = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        const Key key = Key(7).branch(i);
+        Whole a[3], b[3], d[3];
+        for (int k = 0; k < 3; ++k) {
+            a[k] = 15'000'000 + static_cast<int>(key.bits(k) % 5);
+            b[k] = a[k] + static_cast<int>(key.bits(3 + k) % 5) - 2;
+            d[k] = a[k] + static_cast<int>(key.bits(6 + k) % 5) - 2;
+        }
+        const Whole value = (a[1] * b[2] - a[2] * b[1]) * d[0] +
+                            (a[2] * b[0] - a[0] * b[2]) * d[1] + (a[0] * b[1] - a[1] * b[0]) * d[2];
+        if (value == 0) continue;
+        const auto floats = [](const Whole(&v)[3]) {
+            return Vec3(static_cast<float>(v[0]), static_cast<float>(v[1]),
+                        static_cast<float>(v[2]));
+        };
+        beyond_double += edge_sign(floats(a), floats(b), floats(d)) == 0;
+        ASSERT_EQ(tilted_edge_sign(floats(a), floats(b), floats(d)), value > 0 ? 1 : -1) << i;
+    }
+    EXPECT_GT(beyond_double, 1000);
 }
 
 TEST(CsgShape, TakesMeshesAsItTakesShapes) {

@@ -163,6 +163,17 @@ TEST(HeightfieldShape, IsWalkedThroughOnlyNearItsSurface) {
     // A walk from cell to cell would take some 900 a ray.
     EXPECT_LT(work.primitives, rays * 20u);
     EXPECT_LT(work.boxes, rays * 120u);
+    // From close above the rim, over the bowl and to the other side.
+    work = {};
+    for (int i = 0; i < rays; ++i) {
+        const Key key = Key(8).branch(i);
+        const int z = 400 + static_cast<int>(224 * key.uniform(0));
+        const Vec3d origin{40, field.at(40, z) + 2.2, z};
+        const Vec3d target{1000, 80, 400 + 224 * key.uniform(1)};
+        ASSERT_TRUE(intersect(field, {origin, target - origin}, work)) << i;
+    }
+    EXPECT_LT(work.primitives, rays * 20u);
+    EXPECT_LT(work.boxes, rays * 120u);
 }
 
 TEST(HeightfieldShape, AnswersForRaysOfAnySize) {

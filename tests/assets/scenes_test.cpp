@@ -11,8 +11,10 @@
 namespace luch {
 namespace {
 
+const std::filesystem::path folder_of_scenes = std::filesystem::path(LUCH_SOURCE_DIR) / "scenes";
+
 Loaded loaded(const std::string& name) {
-    return load_scene(std::filesystem::path(LUCH_SOURCE_DIR) / "scenes" / name / (name + ".scene"));
+    return load_scene(folder_of_scenes / name / (name + ".scene"));
 }
 
 template <class Kind, class Items>
@@ -40,12 +42,15 @@ int rays_that_escape(const Scene& scene) {
 }
 
 TEST(OwnScenes, LoadWithoutAWarning) {
-    for (const char* name : {"room", "spheres", "mirrors", "glass", "clay"}) {
+    int scenes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_of_scenes)) {
+        const std::string name = entry.path().filename().string();
+        if (!std::filesystem::exists(entry.path() / (name + ".scene"))) continue;
         const Loaded scene = loaded(name);
         EXPECT_TRUE(scene.warnings.empty()) << name << ": " << scene.warnings.front();
-        EXPECT_EQ(scene.scene.settings.frame, (Size{640, 480})) << name;
-        EXPECT_FALSE(scene.scene.camera.depth_of_field) << name;
+        ++scenes;
     }
+    EXPECT_GE(scenes, 12);
 }
 
 TEST(Page, LiesInThePlaneOfFocusWithThingsBeforeAndBehind) {
@@ -147,6 +152,51 @@ TEST(Mirrors, FaceEachOtherAndEndAtADepth) {
     EXPECT_EQ(scene.nodes[right.node].name, "rightMirror");
 }
 
+TEST(Island, RisesOutOfTheSeaAndItsEdgesSinkBelowTheGround) {
+    const Scene scene = loaded("island").scene;
+    ASSERT_EQ(count_of<Heightfield>(scene.geometries), 1);
+    const auto down = [&](double x, double z) {
+        Ray ray{{x, 400, z}, {0, -1, 0}};
+        std::string met;
+        while (const Hit hit = closest_brute(scene, ray)) {
+            met += scene.nodes[hit.node].name + " ";
+            ray.t_min = hit.t;
+        }
+        return met;
+    };
+    EXPECT_EQ(down(0.5, 20.5), "island sea ground ");
+    EXPECT_EQ(down(-158.5, -158.5), "sea ground island ");
+    EXPECT_EQ(down(900, 900), "sea ground ");
+}
+
+TEST(Dice, HaveSevenOnOppositeFacesAndPaintInEveryPip) {
+    const Scene scene = loaded("die").scene;
+    EXPECT_EQ(scene.nodes.size(), 1u + 2 * 3 + 1);  // the lamp's face too
+    const auto solid = std::find_if(scene.nodes.begin(), scene.nodes.end(),
+                                    [](const Node& node) { return node.name == "ivory_die"; });
+    ASSERT_NE(solid, scene.nodes.end());
+    const auto& csg = std::get<Csg>(scene.geometries[solid->geometry]);
+    EXPECT_EQ(csg.parts.size(), 23u);
+    int pips[3][2] = {};
+    for (const Csg::Part& part : csg.parts) {
+        const auto* ball = std::get_if<Sphere>(&scene.geometries[part.geometry]);
+        if (ball == nullptr || !part.flipped) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (std::abs(ball->centre[axis]) > 1) ++pips[axis][ball->centre[axis] > 0];
+        }
+        const Vec3d above = solid->to_world.point(ball->centre * 1.4);
+        const Vec3d into = solid->to_world.direction(-ball->centre);
+        const Hit hit = closest_brute(scene, {above, into});
+        ASSERT_TRUE(hit);
+        // The pips on the die's ground face see the table first.
+        const std::string& name = scene.nodes[hit.node].name;
+        if (above.y > 0) {
+            EXPECT_EQ(name, "ivory_die_pips");
+        }
+    }
+    for (const auto& [one, other] : pips) EXPECT_EQ(one + other, 7);
+}
+
 TEST(Glass, StandsAsBlocksOfOneKindEachTwiceAsThickAsTheOneBefore) {
     const Scene scene = loaded("glass").scene;
     double thickness = 0.5;
@@ -199,6 +249,24 @@ TEST(Clay, HasNoLightButTheSkyAndNothingToLookUp) {
     EXPECT_EQ(std::get<ConstantEnvironment>(*scene.environment).color,
               scene.settings.ambient_light);
     EXPECT_EQ(count_of<Lambert>(scene.materials), static_cast<long>(scene.materials.size()));
+}
+
+TEST(Cornell, IsABoxWithOneOpenSideAndAsksForGlobalIllumination) {
+    const Scene scene = loaded("cornell").scene;
+    EXPECT_TRUE(scene.settings.global_illumination);
+    EXPECT_EQ(count_of<RectLight>(scene.lights), 1);
+    EXPECT_EQ(scene.lights.size(), 1u);
+    const Vec3d middle{278, 440, 280};
+    const auto wall = [&](const Vec3d& direction) {
+        const Hit hit = closest_brute(scene, {middle, direction});
+        return hit ? scene.nodes[hit.node].name : "nothing";
+    };
+    EXPECT_EQ(wall({-1, 0, 0}), "redWall");
+    EXPECT_EQ(wall({1, 0, 0}), "greenWall");
+    EXPECT_EQ(wall({0, 0, 1}), "whiteWalls");
+    EXPECT_EQ(wall({0, 1, 0}), "lamp");
+    EXPECT_EQ(wall({0, 0, -1}), "nothing");
+    EXPECT_EQ(wall(Vec3d(0.35, -1, -0.35)), "shortBlock");
 }
 
 }  // namespace

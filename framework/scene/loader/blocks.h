@@ -8,7 +8,8 @@
 #include <vector>
 
 /// One function a class of block; each adds what it reads to the scene. Geometries, textures and
-/// shaders are read before all others, so their indices are those of the NameTable.
+/// shaders are read before all others, so their indices are those of the NameTable; the textures
+/// and materials that come with a mesh's file stand behind the named ones.
 namespace luch::loader {
 
 /// A scene half-way.
@@ -24,6 +25,8 @@ struct Loading {
         int line;
     };
     std::vector<Solid> solids;  ///< in the order of Scene::geometries
+    /// What mesh files bring; Mesh::materials are indices into it until all shaders are read.
+    std::vector<Material> file_materials;
 };
 
 // settings.cpp
@@ -51,6 +54,8 @@ void read_plane(Properties& block, Loading& loading);
 void read_sphere(Properties& block, Loading& loading);
 void read_cube(Properties& block, Loading& loading);
 void read_mesh(Properties& block, Loading& loading);
+/// Puts the materials of meshes' files behind the named ones. Call it once, after all shaders.
+void add_file_materials(Loading& loading);
 void read_heightfield(Properties& block, Loading& loading);
 
 // solids.cpp

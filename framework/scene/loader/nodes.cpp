@@ -71,9 +71,11 @@ void read_node(Properties& block, Loading& loading) {
     const TextureId bump = bump_of(block, loading);
     const Transform to_world = transform_of(block);
     const bool moving = block.flag("moving", !block.flag("static", true));
-    if (!shader) return;
+    const auto* mesh = std::get_if<Mesh>(&loading.scene.geometries[geometry]);
+    if (!shader && (!mesh || mesh->materials.empty())) return;
 
-    const MaterialId material = loading.names.find(Kind::shader, block, *shader);
+    const MaterialId material =
+        shader ? loading.names.find(Kind::shader, block, *shader) : materials_of_file;
     check_count(block, loading);
     try {
         add_node(loading.scene, block.block().name, geometry, material, to_world, bump);
