@@ -58,12 +58,6 @@ float sum_of_products(const Vec3& a, const Vec3& b, const Vec3& d) {
            (a.x * b.y - a.y * b.x) * d.z;
 }
 
-/// part/whole within 0..limit; 0 where it cannot be said.
-float share(float part, float whole, float limit) {
-    const float share = part / whole;
-    return share > 0 ? std::min(share, limit) : 0;
-}
-
 }  // namespace
 
 ObjectRay object_ray(const Ray& ray) {
@@ -100,9 +94,8 @@ bool intersect_triangle(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, co
     const float weight0 = sum_of_products(a1, a2, ray.direction);
     const float weight1 = sum_of_products(a2, a0, ray.direction);
     const float weight2 = sum_of_products(a0, a1, ray.direction);
-    const float whole = weight0 + weight1 + weight2;
-    const float u = share(weight1, whole, 1);
-    hit = {t, u, share(weight2, whole, 1 - u)};
+    const Barycentric at = barycentric(weight0, weight1, weight2);
+    hit = {t, at.u, at.v};
     return true;
 }
 

@@ -1,5 +1,7 @@
 #include "framework/accel/mesh_bvh.h"
 
+#include "framework/accel/wide/collapse.h"
+
 namespace luch {
 namespace {
 
@@ -11,34 +13,8 @@ Bvh<Box> bvh_of(const Mesh& mesh) {
 
 }  // namespace
 
-MeshBvh::MeshBvh(const Mesh& mesh) : bvh_(bvh_of(mesh)), cull_backfaces_(mesh.cull_backfaces) {
-    triangles_.reserve(mesh.triangles.size());
-    for (const std::uint32_t i : bvh_.order()) {
-        triangles_.push_back({mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), i});
-    }
-}
-
-void MeshBvh::closest(const ObjectRay& ray, NodeId node, bool any, Hit& best,
-                      WorkCounts& work) const {
-    const auto enter = [&](std::uint32_t index) {
-        ++work.boxes;
-        const Interval in = slab(bvh_.nodes()[index].box, ray);
-        return in.near <= in.far && in.far > ray.t_min ? in.near
-                                                       : std::numeric_limits<float>::quiet_NaN();
-    };
-    const auto leaf = [&](const Bvh<Box>::Node& at) {
-        work.primitives += at.count;
-        bool found = false;
-        for (std::uint32_t i = at.first; i < at.first + at.count; ++i) {
-            const Triangle& triangle = triangles_[i];
-            found |= improve(ray, triangle.p0, triangle.p1, triangle.p2, cull_backfaces_, node,
-                             triangle.id, best);
-        }
-        return any && found;
-    };
-    bvh_.walk(
-        enter, [&] { return best.t; }, leaf);
-}
+MeshBvh::MeshBvh(const Mesh& mesh, Isa isa)
+    : tree_(wide::collapsed(bvh_of(mesh), mesh)), kernels_(&wide::kernels(isa)) {}
 
 bool improve(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,
              bool cull_backfaces, NodeId node, std::uint32_t triangle, Hit& best) {

@@ -1,0 +1,74 @@
+#include "framework/accel/node_hit.h"
+#include "framework/accel/wide/kernels.h"
+#include "framework/accel/wide/packet_search.h"
+
+// Compiled once for every level, see luch_kernels(). The entry is all that may be seen from
+// outside: an inline function of a library that were compiled here and kept by the linker would
+// crash older machines (tests/accel looks with nm).
+namespace luch::wide {
+namespace {
+
+/// Rays whose directions are too large or small for a bundle's bounds go alone.
+template <class Alone>
+void search_untamed(const RayPacket& rays, Bundle& bundle, Alone&& alone) {
+    for (int group = 0; group * groups < rays.count; ++group) {
+        for (unsigned rest = ~tame_lanes(bundle, group) & 0xffff; rest != 0; rest &= rest - 1) {
+            const int i = group * groups + std::countr_zero(rest);
+            if (i >= rays.count || bundle.t[i] == -infinite) continue;
+            if (is_sound(rays.ray(i))) alone(i);
+            bundle.t[i] = -infinite;
+        }
+    }
+}
+
+void closest_packet(const Tree& tree, const Transform& to_object, const RayPacket& rays,
+                    NodeId node, HitPacket& hits, WorkCounts& work) {
+    Bundle bundle;
+    fill(bundle, rays, to_object, hits.t);
+    search_untamed(rays, bundle, [&](int i) {
+        Hit best = hits.hit(i);
+        closest(tree, bundle.ray(i, rays.t_max[i]), node, best, work);
+        hits.set(i, best);
+    });
+    if (!bound(bundle)) return;
+    Found found;
+    PacketSearch<false>(tree, node, &hits, bundle, found).run(work);
+    for (int group = 0; group < groups; ++group) {
+        for (unsigned rest = found.improved[group]; rest != 0; rest &= rest - 1) {
+            const int i = group * groups + std::countr_zero(rest);
+            const Barycentric at =
+                barycentric(found.weight[0][i], found.weight[1][i], found.weight[2][i]);
+            hits.set(i, {bundle.t[i], at.u, at.v, node,
+                         std::bit_cast<std::uint32_t>(found.primitive[i])});
+        }
+    }
+}
+
+void occluded_packet(const Tree& tree, const Transform& to_object, const RayPacket& rays,
+                     float* limits, WorkCounts& work) {
+    Bundle bundle;
+    fill(bundle, rays, to_object, limits);
+    search_untamed(rays, bundle, [&](int i) {
+        if (occluded(tree, bundle.ray(i, rays.t_max[i]), work)) limits[i] = -infinite;
+    });
+    if (!bound(bundle)) return;
+    Found found;
+    PacketSearch<true>(tree, 0, nullptr, bundle, found).run(work);
+    for (int group = 0; group < groups; ++group) {
+        for (unsigned rest = found.improved[group]; rest != 0; rest &= rest - 1) {
+            limits[group * groups + std::countr_zero(rest)] = -infinite;
+        }
+    }
+}
+
+}  // namespace
+
+#define LUCH_NAME_OF(level) kernels_##level
+#define LUCH_NAME(level) LUCH_NAME_OF(level)
+
+const Kernels& LUCH_NAME(LUCH_LEVEL)() {
+    static constexpr Kernels all{closest, occluded, closest_packet, occluded_packet};
+    return all;
+}
+
+}  // namespace luch::wide

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "framework/accel/hit.h"
+#include "framework/math/simd.h"
+
+// The triangle test of hit.h in lanes: the same operations in the same order, so the same bits.
+// What it cannot decide within its own, wider bounds it leaves to intersect_triangle().
+// Only kernel files include this; nothing here has linkage.
+namespace luch::wide {
+namespace {
+
+using simd::Lanes;
+
+template <class T>
+struct Three {
+    T x, y, z;
+};
+
+template <class A, class B>
+LUCH_INLINE auto minus(const Three<A>& a, const Three<B>& b) {
+    return Three{a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+LUCH_INLINE Three<T> cross(const Three<T>& a, const Three<T>& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class A, class B>
+LUCH_INLINE auto dot(const Three<A>& a, const Three<B>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+LUCH_INLINE T sum_of_sizes(const Three<T>& a) {
+    using std::abs;
+    return abs(a.x) + abs(a.y) + abs(a.z);
+}
+/// The largest |component|; components that are NaN are passed over.
+template <class T>
+LUCH_INLINE T largest(const Three<T>& a, const T& so_far) {
+    return max_or(abs(a.x), max_or(abs(a.y), max_or(abs(a.z), so_far)));
+}
+template <class T>
+LUCH_INLINE Three<T> lower(const Three<T>& a, const Three<T>& b) {
+    return {min_or(a.x, b.x), min_or(a.y, b.y), min_or(a.z, b.z)};
+}
+template <class T>
+LUCH_INLINE Three<T> upper(const Three<T>& a, const Three<T>& b) {
+    return {max_or(a.x, b.x), max_or(a.y, b.y), max_or(a.z, b.z)};
+}
+
+/// Above this, |(a × b) · d| has a certain sign in hit.cpp as well: its bound there is at most
+/// 8u · 2A²S + 8 · smallest · (1 + S), where no component of a and b exceeds A and S is the sum of
+/// |components| of d. The thousandth covers the rounding of the bounds themselves.
+inline constexpr float relative_bound = 1.001f * 16 * 0x1p-24f;
+inline constexpr float smallest_bound = 9 * std::numeric_limits<float>::min();
+template <class A, class S>
+LUCH_INLINE auto sign_bound(const A& size, const S& sum) {
+    return size * size * (sum * relative_bound) + (sum + 1.0f) * smallest_bound;
+}
+
+}  // namespace
+}  // namespace luch::wide

@@ -1,0 +1,258 @@
+#pragma once
+
+#include "framework/accel/accelerator.h"
+#include "framework/accel/wide/lanes.h"
+#include "framework/accel/wide/tree.h"
+
+#include <bit>
+
+// One ray through the tree, eight boxes or four triangles at a time. Only kernel files include
+// this; nothing here has linkage.
+namespace luch::wide {
+namespace {
+
+using Four = Lanes<block_width>;
+using Eight = Lanes<node_width>;
+
+template <class T>
+LUCH_INLINE Three<T> all(const Vec3& v) {
+    return {T(v.x), T(v.y), T(v.z)};
+}
+
+/// What one search found so far, and how far it still looks.
+struct Search {
+    Hit best;
+    float weights[3] = {0, 0, 0};  ///< the edge values of best
+    bool improved = false;
+    std::uint64_t boxes = 0, primitives = 0;
+};
+
+/// A ray against the four triangles of a block.
+class BlockTest {
+ public:
+    BlockTest(const ObjectRay& ray, NodeId node, bool cull_backfaces)
+        : ray_(ray),
+          node_(node),
+          cull_(cull_backfaces),
+          origin_(all<Four>(ray.origin)),
+          direction_(all<Four>(ray.direction)),
+          sum_(std::abs(ray.direction.x) + std::abs(ray.direction.y) + std::abs(ray.direction.z)) {}
+
+    /// Improves the search; true when it did.
+    LUCH_INLINE bool operator()(const Block& block, Search& search) const {
+        Edges e;
+        for (int k = 0; k < 3; ++k) {
+            const auto at = [&](int axis) { return Four::load(block.corner[3 * k + axis]); };
+            e.p[k] = {at(0), at(1), at(2)};
+            e.a[k] = minus(e.p[k], origin_);
+        }
+        e.w[0] = dot(cross(e.a[1], e.a[2]), direction_);
+        e.w[1] = dot(cross(e.a[2], e.a[0]), direction_);
+        e.w[2] = dot(cross(e.a[0], e.a[1]), direction_);
+        const Four size =
+            largest(e.a[0], largest(e.a[1], largest(e.a[2], Four(0.0f))));
+        const Four bound = sign_bound(size, Four(sum_));
+        const Four least = min_or(e.w[0], min_or(e.w[1], e.w[2]));
+        const Four most = max_or(e.w[0], max_or(e.w[1], e.w[2]));
+        const Four minus_bound = Four(0.0f) - bound;
+        const unsigned maybe = ~((least < minus_bound) & (bound < most)) & 0xfu;
+        if (maybe == 0) return false;
+        const unsigned positive = bound < least;
+        const unsigned certain = positive | (most < minus_bound);
+        return finish(block, e, maybe, certain, cull_ ? positive : 0u, search);
+    }
+
+ private:
+    struct Edges {
+        Three<Four> p[3], a[3];
+        Four w[3];
+    };
+
+    /// The distance of those that the edges let through.
+    bool finish(const Block& block, const Edges& e, unsigned maybe, unsigned certain,
+                unsigned culled, Search& search) const {
+        const Three<Four> edge1 = minus(e.p[1], e.p[0]), edge2 = minus(e.p[2], e.p[0]);
+        const Three<Four> normal = cross(edge1, edge2);
+        const Four above = dot(normal, e.a[0]), along = dot(normal, direction_);
+        const Four size = largest(edge1, largest(edge2, Four(0.0f)));
+        certain &= (sign_bound(size, sum_of_sizes(e.a[0])) < abs(above)) &
+                   (sign_bound(size, Four(sum_)) < abs(along));
+        const Three<Four> lo = lower(e.a[0], lower(e.a[1], e.a[2]));
+        const Three<Four> hi = upper(e.a[0], upper(e.a[1], e.a[2]));
+        Four near(-std::numeric_limits<float>::infinity());
+        Four far(std::numeric_limits<float>::infinity());
+        clip(lo.x, hi.x, ray_.direction.x, ray_.inverse.x, near, far);
+        clip(lo.y, hi.y, ray_.direction.y, ray_.inverse.y, near, far);
+        clip(lo.z, hi.z, ray_.direction.z, ray_.inverse.z, near, far);
+        far = max_or(far * Four(far_padding), far);
+        const Four t = min_or(far, max_or(near, above / along));
+        const unsigned hit = maybe & certain & ~culled & (near <= far) & (Four(ray_.t_min) < t) &
+                             (t < Four(ray_.t_max)) & (t <= Four(search.best.t));
+        bool improved = hit != 0 && take(block, e, hit, t, search);
+        for (unsigned rest = maybe & ~certain; rest != 0; rest &= rest - 1) {
+            improved |= take_exactly(block, e, std::countr_zero(rest), search);
+        }
+        return improved;
+    }
+
+    LUCH_INLINE static void clip(const Four& lo, const Four& hi, float direction, float inverse,
+                                 Four& near, Four& far) {
+        const bool negative = std::signbit(direction);
+        near = max_or((negative ? hi : lo) * Four(inverse), near);
+        far = min_or((negative ? lo : hi) * Four(inverse), far);
+    }
+
+    bool take(const Block& block, const Edges& e, unsigned hit, const Four& t,
+              Search& search) const {
+        alignas(16) float ts[block_width];
+        t.store(ts);
+        bool improved = false;
+        for (; hit != 0; hit &= hit - 1) {
+            const int lane = std::countr_zero(hit);
+            improved |= keep({.t = ts[lane], .node = node_, .primitive = block.id[lane]}, e, lane,
+                             search);
+        }
+        return improved;
+    }
+
+    [[gnu::noinline]] bool take_exactly(const Block& block, const Edges& e, int lane,
+                                        Search& search) const {
+        const auto corner = [&](int k) {
+            return Vec3(block.corner[3 * k][lane], block.corner[3 * k + 1][lane],
+                        block.corner[3 * k + 2][lane]);
+        };
+        TriangleHit found;
+        if (!intersect_triangle(ray_, corner(0), corner(1), corner(2), cull_, found)) return false;
+        return keep({.t = found.t, .node = node_, .primitive = block.id[lane]}, e, lane, search);
+    }
+
+    static bool keep(const Hit& hit, const Edges& e, int lane, Search& search) {
+        if (!nearer(hit, search.best)) return false;
+        search.best = hit;
+        search.improved = true;
+        for (int k = 0; k < 3; ++k) {
+            alignas(16) float w[block_width];
+            e.w[k].store(w);
+            search.weights[k] = w[lane];
+        }
+        return true;
+    }
+
+    const ObjectRay& ray_;
+    NodeId node_;
+    bool cull_;
+    Three<Four> origin_, direction_;
+    float sum_;
+};
+
+/// A ray against the eight boxes of a node, by the one slab formula.
+class NodeTest {
+ public:
+    explicit NodeTest(const ObjectRay& ray)
+        : origin_(all<Eight>(ray.origin)), inverse_(all<Eight>(ray.inverse)), t_min_(ray.t_min) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool negative = std::signbit(ray.direction[axis]);
+            near_[axis] = negative ? axis + 3 : axis;
+            far_[axis] = negative ? axis : axis + 3;
+        }
+    }
+
+    /// A bit for every child that the ray may meet before `limit`; near: where it enters them.
+    LUCH_INLINE unsigned operator()(const Node& node, float limit, float* near) const {
+        const auto side = [&](int which, const Eight& o, const Eight& i) {
+            return (Eight::load(node.bounds[which]) - o) * i;
+        };
+        Eight in(t_min_), out(std::numeric_limits<float>::infinity());
+        in = max_or(side(near_[0], origin_.x, inverse_.x), in);
+        out = min_or(side(far_[0], origin_.x, inverse_.x), out);
+        in = max_or(side(near_[1], origin_.y, inverse_.y), in);
+        out = min_or(side(far_[1], origin_.y, inverse_.y), out);
+        in = max_or(side(near_[2], origin_.z, inverse_.z), in);
+        out = min_or(side(far_[2], origin_.z, inverse_.z), out);
+        out = min_or(max_or(out * Eight(far_padding), out), Eight(limit));
+        in.store(near);
+        return (in <= out) & node.used;
+    }
+
+ private:
+    Three<Eight> origin_, inverse_;
+    float t_min_;
+    int near_[3], far_[3];
+};
+
+struct Entry {
+    float near;
+    std::uint32_t child;
+};
+
+/// Pushes all children but the nearest, the farther deeper; returns the nearest.
+LUCH_INLINE std::uint32_t push_sorted(const Node& node, unsigned mask, const float* near,
+                                      Entry* stack, int& size) {
+    Entry first{near[std::countr_zero(mask)], node.child[std::countr_zero(mask)]};
+    const int base = size;
+    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+        const int i = std::countr_zero(mask);
+        Entry entry{near[i], node.child[i]};
+        if (entry.near < first.near) std::swap(entry, first);
+        int at = size++;
+        for (; at > base && stack[at - 1].near < entry.near; --at) stack[at] = stack[at - 1];
+        stack[at] = entry;
+    }
+    return first.child;
+}
+
+template <bool any>
+void search_tree(const Tree& tree, const ObjectRay& ray, NodeId node_id, Search& search) {
+    const NodeTest test_node(ray);
+    const BlockTest test_block(ray, node_id, tree.cull_backfaces);
+    Entry stack[max_depth * (node_width - 1) + 1];
+    int size = 0;
+    std::uint32_t child = 0;
+    alignas(32) float near[node_width];
+    for (;;) {
+        while ((child & leaf_bit) == 0) {
+            const Node& node = tree.nodes[child];
+            ++search.boxes;
+            const unsigned mask = test_node(node, search.best.t, near);
+            if (mask == 0) break;
+            child = push_sorted(node, mask, near, stack, size);
+        }
+        if ((child & leaf_bit) != 0) {
+            ++search.primitives;
+            if (test_block(tree.blocks[child & ~leaf_bit], search) && any) return;
+        }
+        do {
+            if (size == 0) return;
+            --size;
+        } while (!(stack[size].near <= search.best.t));
+        child = stack[size].child;
+    }
+}
+
+void count(const Search& search, WorkCounts& work) {
+    work.boxes += search.boxes * node_width;
+    work.primitives += search.primitives * block_width;
+}
+
+void closest(const Tree& tree, const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) {
+    Search search;
+    search.best = best;
+    search_tree<false>(tree, ray, node, search);
+    count(search, work);
+    if (!search.improved) return;
+    best = search.best;
+    const Barycentric at = barycentric(search.weights[0], search.weights[1], search.weights[2]);
+    best.u = at.u;
+    best.v = at.v;
+}
+
+bool occluded(const Tree& tree, const ObjectRay& ray, WorkCounts& work) {
+    Search search;
+    search.best = {.t = ray.t_max};
+    search_tree<true>(tree, ray, 0, search);
+    count(search, work);
+    return search.improved;
+}
+
+}  // namespace
+}  // namespace luch::wide

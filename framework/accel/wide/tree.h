@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+// The tree that rays walk: eight boxes a node, four triangles a leaf, both one structure of arrays.
+namespace luch::wide {
+
+/// A child is a node's index, or with leaf_bit the index of a block of triangles.
+inline constexpr std::uint32_t leaf_bit = 0x80000000u;
+inline constexpr int node_width = 8;
+inline constexpr int block_width = 4;
+/// No path from the root is longer (Bvh::stack_size is the binary tree's limit).
+inline constexpr int max_depth = 88;
+
+struct alignas(64) Node {
+    float bounds[6][node_width];      ///< lo.x, lo.y, lo.z, hi.x, hi.y, hi.z
+    std::uint32_t child[node_width];  ///< used ones first
+    std::uint32_t used;               ///< a bit for each child
+};
+
+/// The corners are those of the mesh to the bit. A block that is not full repeats its last triangle.
+struct alignas(32) Block {
+    float corner[9][block_width];  ///< p0.x, p0.y, p0.z, p1.x, …
+    std::uint32_t id[block_width];
+};
+
+/// Root: node 0, which always exists.
+struct Tree {
+    std::vector<Node> nodes;
+    std::vector<Block> blocks;
+    bool cull_backfaces = false;
+
+    [[nodiscard]] std::uint64_t bytes() const {
+        return nodes.size() * sizeof(Node) + blocks.size() * sizeof(Block);
+    }
+};
+
+}  // namespace luch::wide
