@@ -10,12 +10,14 @@ namespace {
 
 /// Rays whose directions are too large or small for a bundle's bounds go alone.
 template <class Alone>
-void search_untamed(const RayPacket& rays, Bundle& bundle, Alone&& alone) {
+void search_untamed(const RayPacket& rays, const Transform& to_object, Bundle& bundle,
+                    Alone&& alone) {
     for (int group = 0; group * groups < rays.count; ++group) {
         for (unsigned rest = ~tame_lanes(bundle, group) & 0xffff; rest != 0; rest &= rest - 1) {
             const int i = group * groups + std::countr_zero(rest);
             if (i >= rays.count || bundle.t[i] == -infinite) continue;
-            if (is_sound(rays.ray(i))) alone(i);
+            const Ray ray = rays.ray(i);
+            if (is_sound(ray)) alone(i, object_ray(to_object.ray(ray)));
             bundle.t[i] = -infinite;
         }
     }
@@ -25,9 +27,9 @@ void closest_packet(const Tree& tree, const Transform& to_object, const RayPacke
                     NodeId node, HitPacket& hits, WorkCounts& work) {
     Bundle bundle;
     fill(bundle, rays, to_object, hits.t);
-    search_untamed(rays, bundle, [&](int i) {
+    search_untamed(rays, to_object, bundle, [&](int i, const ObjectRay& ray) {
         Hit best = hits.hit(i);
-        closest(tree, bundle.ray(i, rays.t_max[i]), node, best, work);
+        closest(tree, ray, node, best, work);
         hits.set(i, best);
     });
     if (!bound(bundle)) return;
@@ -48,8 +50,8 @@ void occluded_packet(const Tree& tree, const Transform& to_object, const RayPack
                      float* limits, WorkCounts& work) {
     Bundle bundle;
     fill(bundle, rays, to_object, limits);
-    search_untamed(rays, bundle, [&](int i) {
-        if (occluded(tree, bundle.ray(i, rays.t_max[i]), work)) limits[i] = -infinite;
+    search_untamed(rays, to_object, bundle, [&](int i, const ObjectRay& ray) {
+        if (occluded(tree, ray, work)) limits[i] = -infinite;
     });
     if (!bound(bundle)) return;
     Found found;
