@@ -77,9 +77,13 @@ class PacketBounds {
     double lo_[3], hi_[3];
 };
 
-/// What ray i of a packet looks for at first: hits before its t_max, when there can be any.
-float first_limit(const RayPacket& rays, int i) {
-    return i < rays.count && rays.t_max[i] > rays.t_min ? rays.t_max[i] : nothing;
+/// What the rays of a packet look for at first: hits before their t_max, when there can be any.
+void set_limits(const RayPacket& rays, float* limits) {
+    for (int i = 0; i < rays.count; ++i) {
+        const float t_max = rays.t_max[i];
+        limits[i] = t_max > rays.t_min ? t_max : nothing;
+    }
+    std::fill(limits + rays.count, limits + RayPacket::capacity, nothing);
 }
 
 /// The largest of a packet's limits.
@@ -119,7 +123,11 @@ class BvhAccelerator final : public Accelerator {
     }
 
     void closest(const RayPacket& rays, HitPacket& hits, WorkCounts& work) const override {
-        for (int i = 0; i < RayPacket::capacity; ++i) hits.set(i, {.t = first_limit(rays, i)});
+        set_limits(rays, hits.t);
+        std::fill(hits.u, hits.u + RayPacket::capacity, 0.0f);
+        std::fill(hits.v, hits.v + RayPacket::capacity, 0.0f);
+        std::fill(hits.node, hits.node + RayPacket::capacity, no_node);
+        std::fill(hits.primitive, hits.primitive + RayPacket::capacity, 0u);
         const auto visit = [&](NodeId id) {
             if (const auto& mesh = meshes_[scene_->nodes[id].geometry]) {
                 mesh->closest(rays, scene_->nodes[id], id, hits, work);
@@ -133,14 +141,15 @@ class BvhAccelerator final : public Accelerator {
         };
         each_node(rays, hits.t, visit, work);
         for (int i = 0; i < rays.count; ++i) {
-            if (hits.node[i] == no_node) hits.t[i] = std::numeric_limits<float>::infinity();
+            const float t = hits.t[i];
+            hits.t[i] = hits.node[i] == no_node ? std::numeric_limits<float>::infinity() : t;
         }
     }
 
     void occluded(const RayPacket& rays, std::span<std::uint8_t> blocked,
                   WorkCounts& work) const override {
         alignas(64) float limits[RayPacket::capacity];
-        for (int i = 0; i < RayPacket::capacity; ++i) limits[i] = first_limit(rays, i);
+        set_limits(rays, limits);
         const auto visit = [&](NodeId id) {
             if (const auto& mesh = meshes_[scene_->nodes[id].geometry]) {
                 mesh->occluded(rays, scene_->nodes[id], limits, work);
@@ -155,7 +164,7 @@ class BvhAccelerator final : public Accelerator {
         };
         each_node(rays, limits, visit, work);
         for (int i = 0; i < rays.count; ++i) {
-            blocked[i] = limits[i] == nothing && first_limit(rays, i) != nothing ? 1 : 0;
+            blocked[i] = limits[i] == nothing && rays.t_max[i] > rays.t_min ? 1 : 0;
         }
     }
 

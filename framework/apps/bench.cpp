@@ -96,6 +96,9 @@ void print(const MeshSpeed& speed, const RayBench& bench) {
         fmt::print("  {:<8} {:<7}", kind.kind, kind.backend);
         for (const RayModeSpeed& mode : kind.modes) {
             fmt::print(" {} {:.2f}", mode.mode, mode.mrays_per_s);
+            if (mode.boxes > 0) {
+                fmt::print(" ({:.1f} boxes, {:.1f} triangles)", mode.boxes, mode.primitives);
+            }
         }
         fmt::print(" Mray/s\n");
     }

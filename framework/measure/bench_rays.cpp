@@ -20,19 +20,22 @@ struct Contender {
     std::string backend, mode;
     std::function<void()> reset;
     std::function<void(int i)> shoot;
-    std::vector<double> seconds;
+    std::vector<double> seconds{};
+    WorkCounts work{};  ///< luch's alone
 };
 
-double seconds_of(const std::function<void()>& work) {
+double cpu_seconds_of(const std::function<void()>& work) {
+    const std::clock_t start = std::clock();
+    work();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// What one thread needs is told by its own clock, which others on the machine do not disturb.
+double seconds_of(int threads, const std::function<void()>& work) {
+    if (threads == 1) return cpu_seconds_of(work);
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double cpu_ms_of(const std::function<void()>& work) {
-    const std::clock_t start = std::clock();
-    work();
-    return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// Luch's own scene with the mesh in it, and what its rays met.
@@ -45,7 +48,7 @@ struct Own {
 };
 
 void shoot_alone(Own& own, const BenchShots& shots, int i) {
-    WorkCounts work;
+    WorkCounts& work = own.work[static_cast<std::size_t>(i)] = {};
     const std::size_t end = std::min(shots.rays.size(), static_cast<std::size_t>(i + 1) * chunk);
     for (std::size_t k = static_cast<std::size_t>(i) * chunk; k < end; ++k) {
         if (shots.occlusion) {
@@ -57,7 +60,7 @@ void shoot_alone(Own& own, const BenchShots& shots, int i) {
 }
 
 void shoot_packets(Own& own, const BenchShots& shots, int i) {
-    WorkCounts work;
+    WorkCounts& work = own.work[static_cast<std::size_t>(i)] = {};
     constexpr std::size_t per_chunk = chunk / RayPacket::capacity;
     const std::size_t end = std::min(shots.packets.size(), (i + 1) * per_chunk);
     for (std::size_t k = i * per_chunk; k < end; ++k) {
@@ -80,10 +83,10 @@ std::vector<Contender> contenders_of(Own& own, const EmbreeScene* embree, const 
     for (const std::string& backend : bench.backends) {
         if (backend == "luch") {
             all.push_back(
-                {backend, "single", [] {}, [&](int i) { shoot_alone(own, shots, i); }, {}});
+                {backend, "single", [] {}, [&](int i) { shoot_alone(own, shots, i); }});
             if (!coherent) continue;
             all.push_back(
-                {backend, "packet", [] {}, [&](int i) { shoot_packets(own, shots, i); }, {}});
+                {backend, "packet", [] {}, [&](int i) { shoot_packets(own, shots, i); }});
             continue;
         }
         for (std::size_t mode = 0; mode < embree_mode_names.size(); ++mode) {
@@ -97,22 +100,25 @@ std::vector<Contender> contenders_of(Own& own, const EmbreeScene* embree, const 
                            [batch, n, occlusion](int i) {
                                const auto first = static_cast<std::size_t>(i) * chunk;
                                batch->shoot(first, std::min(n, first + chunk), occlusion);
-                           },
-                           {}});
+                           }});
         }
     }
     return all;
 }
 
-void race(std::vector<Contender>& contenders, std::size_t rays, const RayBench& bench) {
+void race(std::vector<Contender>& contenders, const Own& own, std::size_t rays,
+          const RayBench& bench) {
     const Workers workers(bench.threads);
     const int chunks = static_cast<int>((rays + chunk - 1) / chunk);
     for (int round = -1; round < bench.rounds; ++round) {  // the first one warms up
         for (Contender& each : contenders) {
             each.reset();
             const double seconds =
-                seconds_of([&] { workers.for_each(chunks, [&](int i, int) { each.shoot(i); }); });
+                seconds_of(bench.threads, [&] { workers.for_each(chunks, [&](int i, int) { each.shoot(i); }); });
             if (round >= 0) each.seconds.push_back(seconds);
+            each.work = {};
+            if (each.backend != "luch") continue;
+            for (const WorkCounts& work : own.work) each.work += work;
         }
     }
 }
@@ -138,12 +144,15 @@ void compare(const Own& own, const EmbreeScene& robust, const BenchShots& shots,
 std::vector<RayKindSpeed> speeds_of(const std::vector<Contender>& contenders,
                                     const BenchShots& shots, const std::string& kind) {
     std::vector<RayKindSpeed> speeds;
+    const auto rays = static_cast<double>(shots.active);
     for (const Contender& each : contenders) {
         if (speeds.empty() || speeds.back().backend != each.backend) {
             speeds.push_back({kind, each.backend, {}, shots.active, 0, 1});
         }
         speeds.back().modes.push_back(
-            {each.mode, 1e-6 * static_cast<double>(shots.active) / median(each.seconds)});
+            {each.mode, 1e-6 * rays / median(each.seconds),
+             static_cast<double>(each.work.boxes) / rays,
+             static_cast<double>(each.work.primitives) / rays});
     }
     return speeds;
 }
@@ -153,7 +162,7 @@ std::vector<double> raced_builds(const Own& own, const Mesh& mesh, const RayBenc
     std::vector<std::vector<double>> ms(bench.backends.size());
     for (int round = 0; round < 5; ++round) {
         for (std::size_t i = 0; i < ms.size(); ++i) {
-            ms[i].push_back(cpu_ms_of([&] {
+            ms[i].push_back(1e3 * cpu_seconds_of([&] {
                 if (bench.backends[i] == "luch") {
                     build_accelerator(own.scene, bench.isa);
                 } else {
@@ -217,9 +226,10 @@ MeshSpeed raced(const std::string& name, const Mesh& mesh, const BenchView& view
     for (const std::string& kind : bench.kinds) {
         const BenchShots shots = shots_of(kind, own, scaled, bench.side);
         own.hits.assign(shots.rays.size(), {});
+        own.work.assign(shots.rays.size() / chunk + 1, {});
         own.packet_hits.resize(shots.packets.size());
         auto contenders = contenders_of(own, fast ? &*fast : nullptr, shots, bench);
-        race(contenders, shots.rays.size(), bench);
+        race(contenders, own, shots.rays.size(), bench);
         auto speeds = speeds_of(contenders, shots, kind);
         for (int i = 0; i * chunk < static_cast<int>(shots.rays.size()); ++i) {
             shoot_alone(own, shots, i);

@@ -23,6 +23,7 @@ struct RayBench {
 struct RayModeSpeed {
     std::string mode;  ///< "single", "packet", "packet8", …
     double mrays_per_s = 0;
+    double boxes = 0, primitives = 0;  ///< tests a ray, where it is known (luch's own)
 };
 
 struct RayKindSpeed {

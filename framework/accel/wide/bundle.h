@@ -5,6 +5,8 @@
 #include "framework/accel/wide/tree.h"
 #include "framework/math/transform.h"
 
+#include <bit>
+
 // A packet in a mesh's frame, with what bounds its sixteen groups of sixteen rays. Only kernel
 // files include this; nothing here has linkage.
 namespace luch::wide {
@@ -21,8 +23,8 @@ struct Ranges {
     float lo_all, hi_all;
 
     void close() {
-        lo_all = *std::min_element(lo, lo + groups);
-        hi_all = *std::max_element(hi, hi + groups);
+        lo_all = -largest_lane(Sixteen(0.0f) - Sixteen::load(lo));
+        hi_all = largest_lane(Sixteen::load(hi));
     }
 };
 
@@ -84,12 +86,30 @@ LUCH_INLINE void turn(const RayPacket& rays, const Transform& to_object, Bundle&
     }
 }
 
-/// The first lane that looks for something, or −1.
-inline int first_active(const Bundle& bundle) {
-    for (int i = 0; i < RayPacket::capacity; ++i) {
-        if (bundle.t[i] >= bundle.t_min) return i;
+/// A bit for each lane of a group that looks for something.
+LUCH_INLINE unsigned active_lanes(const Bundle& bundle, int group) {
+    return Sixteen(bundle.t_min) <= Sixteen::load(bundle.t + group * groups);
+}
+
+/// Lanes that look for nothing take the direction of one that does; false when none does.
+inline bool fill_idle_lanes(Bundle& bundle) {
+    unsigned active[groups];
+    int first = -1;
+    for (int g = groups; g-- > 0;) {
+        active[g] = active_lanes(bundle, g);
+        if (active[g] != 0) first = g * groups + std::countr_zero(active[g]);
     }
-    return -1;
+    if (first < 0) return false;
+    for (int g = 0; g < groups; ++g) {
+        if (active[g] == 0xffff) continue;
+        const auto keep = [&](float* lanes, float other) {
+            Sixteen::select(active[g], Sixteen::load(lanes + g * groups), other)
+                .store(lanes + g * groups);
+        };
+        for (auto& axis : bundle.direction) keep(axis, axis[first]);
+        keep(bundle.t, -infinite);
+    }
+    return true;
 }
 
 /// A bit for each lane of a group whose direction neither overflows nor vanishes in products, so
@@ -161,20 +181,13 @@ inline void fill(Bundle& bundle, const RayPacket& rays, const Transform& to_obje
     bundle.origin = Vec3(to_object.point(rays.origin));
     bundle.t_min = rays.t_min;
     turn(rays, to_object, bundle);
-    for (int i = 0; i < RayPacket::capacity; ++i) {
-        bundle.t[i] = i < rays.count ? limits[i] : -infinite;
-    }
+    std::copy(limits, limits + rays.count, bundle.t);
+    std::fill(bundle.t + rays.count, bundle.t + RayPacket::capacity, -infinite);
 }
 
 /// Bounds the filled bundle; false when no ray looks for anything.
 inline bool bound(Bundle& bundle) {
-    const int first = first_active(bundle);
-    if (first < 0) return false;
-    for (int i = 0; i < RayPacket::capacity; ++i) {
-        if (bundle.t[i] >= bundle.t_min) continue;
-        for (auto& axis : bundle.direction) axis[i] = axis[first];
-        bundle.t[i] = -infinite;
-    }
+    if (!fill_idle_lanes(bundle)) return false;
     for (int axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < RayPacket::capacity; i += groups) {
             (Sixteen(1.0f) / Sixteen::load(bundle.direction[axis] + i))

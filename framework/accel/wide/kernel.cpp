@@ -2,6 +2,8 @@
 #include "framework/accel/wide/kernels.h"
 #include "framework/accel/wide/packet_search.h"
 
+#include <cstring>
+
 // Compiled once for every level, see luch_kernels(). The entry is all that may be seen from
 // outside: an inline function of a library that were compiled here and kept by the linker would
 // crash older machines (tests/accel looks with nm).
@@ -23,6 +25,35 @@ void search_untamed(const RayPacket& rays, const Transform& to_object, Bundle& b
     }
 }
 
+/// barycentric() in lanes.
+LUCH_INLINE Sixteen share(const Sixteen& part, const Sixteen& whole, const Sixteen& limit) {
+    const Sixteen ratio = part / whole;
+    return Sixteen::select(Sixteen(0.0f) < ratio, min_or(limit, ratio), 0.0f);
+}
+
+void write_group(const Bundle& bundle, const Found& found, int group, NodeId node,
+                 HitPacket& hits) {
+    const int at = group * groups;
+    const unsigned improved = found.improved[group];
+    const auto weight = [&](int k) { return Sixteen::load(found.weight[k] + at); };
+    const Sixteen whole = weight(0) + weight(1) + weight(2);
+    const Sixteen u = share(weight(1), whole, 1.0f);
+    const Sixteen v = share(weight(2), whole, Sixteen(1.0f) - u);
+    const auto put = [&](float* to, const Sixteen& value) {
+        Sixteen::select(improved, value, Sixteen::load(to + at)).store(to + at);
+    };
+    put(hits.t, Sixteen::load(bundle.t + at));
+    put(hits.u, u);
+    put(hits.v, v);
+    std::uint32_t primitive[groups];
+    std::memcpy(primitive, found.primitive + at, sizeof primitive);
+    for (int i = 0; i < groups; ++i) {
+        const bool set = (improved >> i & 1) != 0;
+        hits.node[at + i] = set ? node : hits.node[at + i];
+        hits.primitive[at + i] = set ? primitive[i] : hits.primitive[at + i];
+    }
+}
+
 void closest_packet(const Tree& tree, const Transform& to_object, const RayPacket& rays,
                     NodeId node, HitPacket& hits, WorkCounts& work) {
     Bundle bundle;
@@ -36,13 +67,7 @@ void closest_packet(const Tree& tree, const Transform& to_object, const RayPacke
     Found found;
     PacketSearch<false>(tree, node, &hits, bundle, found).run(work);
     for (int group = 0; group < groups; ++group) {
-        for (unsigned rest = found.improved[group]; rest != 0; rest &= rest - 1) {
-            const int i = group * groups + std::countr_zero(rest);
-            const Barycentric at =
-                barycentric(found.weight[0][i], found.weight[1][i], found.weight[2][i]);
-            hits.set(i, {bundle.t[i], at.u, at.v, node,
-                         std::bit_cast<std::uint32_t>(found.primitive[i])});
-        }
+        if (found.improved[group] != 0) write_group(bundle, found, group, node, hits);
     }
 }
 
