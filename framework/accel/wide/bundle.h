@@ -22,6 +22,8 @@ struct Ranges {
     alignas(64) float hi[groups];
     float lo_all, hi_all;
 
+    [[nodiscard]] float width() const { return hi_all - lo_all; }
+    [[nodiscard]] float width(int group) const { return hi[group] - lo[group]; }
     void close() {
         lo_all = -largest_lane(Sixteen(0.0f) - Sixteen::load(lo));
         hi_all = largest_lane(Sixteen::load(hi));
@@ -40,6 +42,7 @@ struct Bundle {
 
     Ranges inverses[3];  ///< (−∞, ∞) where the signs differ or an inverse is not finite
     alignas(64) float sign[3][groups];  ///< of the directions, ±1; anything where they differ
+    unsigned negative_lanes[3][groups]; ///< a bit for each ray whose direction has the sign bit
     bool negative[3];                   ///< the sign of all groups
     bool coherent;                      ///< all signs are the same, all inverses finite
     alignas(64) float limit[groups];    ///< the largest t of a group
@@ -49,6 +52,9 @@ struct Bundle {
     /// their signs differ in every axis.
     int main;
     Ranges u, v;
+    /// Groups that point in as many directions as the whole bundle, or nearly: what lies between
+    /// their rays is large, so their rays are tested against boxes one by one.
+    unsigned wide;
     float cone_sum;       ///< no |u| + |v| + 1 exceeds it
     float direction_sum;  ///< no |x| + |y| + |z| of a direction exceeds it
 
@@ -150,6 +156,7 @@ inline void bound_axis(Bundle& bundle, int axis, Ranges& direction) {
 /// The cone of the groups around the axis that no direction is near perpendicular to.
 inline void bound_cone(Bundle& bundle, const Ranges (&directions)[3]) {
     bundle.main = -1;
+    bundle.wide = 0xffff;
     float strongest = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const float strength = std::max(directions[axis].lo_all, -directions[axis].hi_all);
@@ -167,6 +174,11 @@ inline void bound_cone(Bundle& bundle, const Ranges (&directions)[3]) {
             (Sixteen::load(part + i) / Sixteen::load(whole + i)).store(share + i);
         }
         reduce(share, k == 1 ? bundle.u : bundle.v);
+    }
+    const float width = bundle.u.width() + bundle.v.width();
+    for (int g = 0; g < groups; ++g) {
+        const bool narrow = bundle.u.width(g) + bundle.v.width(g) < 0.5f * width;
+        if (narrow) bundle.wide &= ~(1u << g);
     }
     const auto size = [](const Ranges& r) {
         return std::max(std::abs(r.lo_all), std::abs(r.hi_all));
@@ -189,9 +201,11 @@ inline void fill(Bundle& bundle, const RayPacket& rays, const Transform& to_obje
 inline bool bound(Bundle& bundle) {
     if (!fill_idle_lanes(bundle)) return false;
     for (int axis = 0; axis < 3; ++axis) {
-        for (int i = 0; i < RayPacket::capacity; i += groups) {
-            (Sixteen(1.0f) / Sixteen::load(bundle.direction[axis] + i))
-                .store(bundle.inverse[axis] + i);
+        for (int g = 0; g < groups; ++g) {
+            const Sixteen inverse =
+                Sixteen(1.0f) / Sixteen::load(bundle.direction[axis] + g * groups);
+            inverse.store(bundle.inverse[axis] + g * groups);
+            bundle.negative_lanes[axis][g] = inverse < Sixteen(0.0f);
         }
     }
     bundle.coherent = true;

@@ -1,6 +1,7 @@
 #include "framework/accel/node_hit.h"
 #include "framework/accel/wide/kernels.h"
 #include "framework/accel/wide/packet_search.h"
+#include "framework/accel/wide/split_kernel.h"
 
 #include <cstring>
 
@@ -94,7 +95,8 @@ void occluded_packet(const Tree& tree, const Transform& to_object, const RayPack
 #define LUCH_NAME(level) LUCH_NAME_OF(level)
 
 const Kernels& LUCH_NAME(LUCH_LEVEL)() {
-    static constexpr Kernels all{closest, occluded, closest_packet, occluded_packet};
+    static constexpr Kernels all{closest, occluded, closest_packet, occluded_packet,
+                                 range_of, split_range};
     return all;
 }
 

@@ -4,6 +4,7 @@
 #include "framework/accel/hit.h"
 #include "framework/accel/isa.h"
 #include "framework/accel/packet.h"
+#include "framework/accel/wide/split.h"
 #include "framework/accel/wide/tree.h"
 #include "framework/math/transform.h"
 
@@ -23,6 +24,9 @@ struct Kernels {
     /// `limits` (of RayPacket::capacity, aligned to 64 bytes) becomes −∞ where a ray is blocked.
     void (*occluded_packet)(const Tree&, const Transform& to_object, const RayPacket&,
                             float* limits, WorkCounts&);
+    /// For the builder, see split_kernel.h: bounds of `count` refs; a range in two, neither empty.
+    Range (*range_of)(const Ref* refs, std::uint32_t count);
+    void (*split)(Ref* refs, const Range&, bool by_count, Range& left, Range& right);
 };
 
 // Those compiled for x86-64-v2, -v3 and -v4 exist on that processor only.

@@ -34,7 +34,10 @@ class PacketSearch {
             const Visit visit = stack_[--size_];
             if (!(visit.near <= bundle_.limit_all)) continue;
             const Node& node = tree_.nodes[visit.node];
-            const unsigned meeting = groups_meeting(bundle_, node, visit.slot) & visit.groups;
+            unsigned meeting = groups_meeting(bundle_, node, visit.slot) & visit.groups;
+            for (unsigned g = meeting & bundle_.wide; g != 0; g &= g - 1) {
+                if (!ray_meets(node, visit.slot, std::countr_zero(g))) meeting &= ~(g & -g);
+            }
             if (meeting == 0) continue;
             const std::uint32_t child = node.child[visit.slot];
             if ((child & leaf_bit) == 0) {
@@ -63,6 +66,32 @@ class PacketSearch {
             stack_[at] = {near[slot], index, static_cast<std::uint16_t>(slot),
                           static_cast<std::uint16_t>(groups_met)};
         }
+    }
+
+    LUCH_INLINE void clip(const Sixteen& one, const Sixteen& other, int axis, int group,
+                          Sixteen& near, Sixteen& far) const {
+        if (bundle_.coherent) {
+            near = max_or(bundle_.negative[axis] ? other : one, near);
+            far = min_or(bundle_.negative[axis] ? one : other, far);
+        } else {
+            const unsigned turned = bundle_.negative_lanes[axis][group];
+            near = max_or(Sixteen::select(turned, other, one), near);
+            far = min_or(Sixteen::select(turned, one, other), far);
+        }
+    }
+
+    /// Whether any ray of a group meets a child's box before its limit, by the one slab formula.
+    bool ray_meets(const Node& node, int slot, int group) const {
+        const int at = group * groups;
+        Sixteen near(bundle_.t_min), far(infinite);
+        for (int axis = 0; axis < 3; ++axis) {
+            const Sixteen inverse = Sixteen::load(bundle_.inverse[axis] + at);
+            const float lo = node.bounds[axis][slot] - bundle_.origin[axis];
+            const float hi = node.bounds[axis + 3][slot] - bundle_.origin[axis];
+            clip(Sixteen(lo) * inverse, Sixteen(hi) * inverse, axis, group, near, far);
+        }
+        far = min_or(max_or(far * Sixteen(far_padding), far), Sixteen::load(bundle_.t + at));
+        return (near <= far) != 0;
     }
 
     void test_block(const Block& block, unsigned groups_met) {
@@ -117,14 +146,7 @@ class PacketSearch {
             const Sixteen inverse = Sixteen::load(bundle_.inverse[axis] + at);
             const Sixteen one = Sixteen(f.lo[axis][k]) * inverse;
             const Sixteen other = Sixteen(f.hi[axis][k]) * inverse;
-            if (bundle_.coherent) {
-                near = max_or(bundle_.negative[axis] ? other : one, near);
-                far = min_or(bundle_.negative[axis] ? one : other, far);
-            } else {
-                const unsigned turned = negative_lanes(axis, at);
-                near = max_or(Sixteen::select(turned, other, one), near);
-                far = min_or(Sixteen::select(turned, one, other), far);
-            }
+            clip(one, other, axis, group, near, far);
         }
         far = max_or(far * Sixteen(far_padding), far);
         const Sixteen t = min_or(far, max_or(near, Sixteen(f.above[k]) / along));
@@ -138,15 +160,6 @@ class PacketSearch {
         if (doubtful != 0) closer |= take_exactly(block, k, at, doubtful, w);
         found_.improved[group] |= closer;
         return closer != 0;
-    }
-
-    /// By the sign bit of the direction, as the slab formula has it.
-    unsigned negative_lanes(int axis, int at) const {
-        unsigned mask = 0;
-        for (int i = 0; i < groups; ++i) {
-            mask |= (std::signbit(bundle_.direction[axis][at + i]) ? 1u : 0u) << i;
-        }
-        return mask;
     }
 
     [[nodiscard]] Hit best(int lane) const {
