@@ -47,14 +47,18 @@ LUCH_INLINE Three<T> upper(const Three<T>& a, const Three<T>& b) {
     return {max_or(a.x, b.x), max_or(a.y, b.y), max_or(a.z, b.z)};
 }
 
-/// Above this, |(a × b) · d| has a certain sign in hit.cpp as well: its bound there is at most
-/// 8u · 2A²S + 8 · smallest · (1 + S), where no component of a and b exceeds A and S is the sum of
-/// |components| of d. The thousandth covers the rounding of the bounds themselves.
+/// Above this, |(a × (b − a)) · d| in float has a certain sign, and hit.cpp finds the same one. No
+/// component of a and b exceeds `size`, none of b − a `edge`, and `sum` is the sum of |components|
+/// of d: the error is at most 6u · 2 · size · edge · sum (five roundings and that of b − a), the
+/// bound allows 8u. What is left over, with the term in size², exceeds the bound in double of
+/// certain_triple_product(), 2⁻⁵⁰ · 2 · size² · sum. The last term is for underflow, the thousandth
+/// for the rounding of the bound itself.
 inline constexpr float relative_bound = 1.001f * 16 * 0x1p-24f;
 inline constexpr float smallest_bound = 9 * std::numeric_limits<float>::min();
 template <class A, class S>
-LUCH_INLINE auto sign_bound(const A& size, const S& sum) {
-    return size * size * (sum * relative_bound) + (sum + 1.0f) * smallest_bound;
+LUCH_INLINE auto sign_bound(const A& size, const A& edge, const S& sum) {
+    return size * (edge + size * 0x1p-26f) * (sum * relative_bound) +
+           (sum + 1.0f) * smallest_bound;
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ LUCH_INLINE void cull(const Bundle& bundle, const Four& size, const Four& edge_s
     const int a = bundle.main, b = (a + 1) % 3, c = (a + 2) % 3;
     const Four u0(bundle.u.lo_all), u1(bundle.u.hi_all), v0(bundle.v.lo_all), v1(bundle.v.hi_all);
     const Four sum(bundle.cone_sum);
-    const Four bound = sign_bound(size, sum);
+    const Four bound = sign_bound(size, edge_size, sum);
     bound.store(f.cone_bound);
     const Four sum_bound = Four(0x1p-18f) * size * (edge_size + Four(0x1p-20f) * size) * sum +
                            Four(smallest_bound) * (sum + Four(1.0f));
@@ -127,9 +127,10 @@ LUCH_INLINE void look_at(const Bundle& bundle, const Block& block, Facets& f) {
         p[k] = {at(0), at(1), at(2)};
         a[k] = minus(p[k], origin);
     }
-    store(cross(a[1], a[2]), f.edge[0]);
-    store(cross(a[2], a[0]), f.edge[1]);
-    store(cross(a[0], a[1]), f.edge[2]);
+    const Three<Four> edges[3] = {minus(a[2], a[1]), minus(a[0], a[2]), minus(a[1], a[0])};
+    store(cross(a[1], edges[0]), f.edge[0]);
+    store(cross(a[2], edges[1]), f.edge[1]);
+    store(cross(a[0], edges[2]), f.edge[2]);
     const Three<Four> edge1 = minus(p[1], p[0]), edge2 = minus(p[2], p[0]);
     const Three<Four> normal = cross(edge1, edge2);
     store(normal, f.normal);
@@ -138,11 +139,12 @@ LUCH_INLINE void look_at(const Bundle& bundle, const Block& block, Facets& f) {
     store(lower(a[0], lower(a[1], a[2])), f.lo);
     store(upper(a[0], upper(a[1], a[2])), f.hi);
     const Four size = largest(a[0], largest(a[1], largest(a[2], Four(0.0f))));
-    const Four edge_size = largest(edge1, largest(edge2, Four(0.0f)));
+    const Four edge_size = largest(
+        edge1, largest(edge2, largest(edges[0], largest(edges[1], largest(edges[2], Four(0.0f))))));
     const Four sum(bundle.direction_sum);
-    sign_bound(size, sum).store(f.ray_bound);
-    sign_bound(edge_size, sum).store(f.slope_bound);
-    f.above_certain = sign_bound(edge_size, sum_of_sizes(a[0])) < abs(above);
+    sign_bound(size, edge_size, sum).store(f.ray_bound);
+    sign_bound(edge_size, edge_size, sum).store(f.slope_bound);
+    f.above_certain = sign_bound(edge_size, edge_size, sum_of_sizes(a[0])) < abs(above);
     cull(bundle, size, edge_size, f);
 }
 

@@ -46,12 +46,16 @@ class BlockTest {
             e.p[k] = {at(0), at(1), at(2)};
             e.a[k] = minus(e.p[k], origin_);
         }
-        e.w[0] = dot(cross(e.a[1], e.a[2]), direction_);
-        e.w[1] = dot(cross(e.a[2], e.a[0]), direction_);
-        e.w[2] = dot(cross(e.a[0], e.a[1]), direction_);
+        const Three<Four> edges[3] = {minus(e.a[2], e.a[1]), minus(e.a[0], e.a[2]),
+                                      minus(e.a[1], e.a[0])};
+        e.w[0] = dot(cross(e.a[1], edges[0]), direction_);
+        e.w[1] = dot(cross(e.a[2], edges[1]), direction_);
+        e.w[2] = dot(cross(e.a[0], edges[2]), direction_);
         const Four size =
             largest(e.a[0], largest(e.a[1], largest(e.a[2], Four(0.0f))));
-        const Four bound = sign_bound(size, Four(sum_));
+        const Four edge_size =
+            largest(edges[0], largest(edges[1], largest(edges[2], Four(0.0f))));
+        const Four bound = sign_bound(size, edge_size, Four(sum_));
         const Four least = min_or(e.w[0], min_or(e.w[1], e.w[2]));
         const Four most = max_or(e.w[0], max_or(e.w[1], e.w[2]));
         const Four minus_bound = Four(0.0f) - bound;
@@ -75,8 +79,8 @@ class BlockTest {
         const Three<Four> normal = cross(edge1, edge2);
         const Four above = dot(normal, e.a[0]), along = dot(normal, direction_);
         const Four size = largest(edge1, largest(edge2, Four(0.0f)));
-        certain &= (sign_bound(size, sum_of_sizes(e.a[0])) < abs(above)) &
-                   (sign_bound(size, Four(sum_)) < abs(along));
+        certain &= (sign_bound(size, size, sum_of_sizes(e.a[0])) < abs(above)) &
+                   (sign_bound(size, size, Four(sum_)) < abs(along));
         const Three<Four> lo = lower(e.a[0], lower(e.a[1], e.a[2]));
         const Three<Four> hi = upper(e.a[0], upper(e.a[1], e.a[2]));
         Four near(-std::numeric_limits<float>::infinity());
