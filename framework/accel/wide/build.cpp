@@ -174,8 +174,13 @@ class Builder {
         Block& block = tree_.blocks.emplace_back();
         for (std::uint32_t lane = 0; lane < block_width; ++lane) {
             block.id[lane] = refs_[leaf.first + std::min(lane, leaf.count - 1)].id;
+            block.edge[lane] = 0;
             for (int k = 0; k < 3; ++k) {
                 const Vec3& corner = mesh_.corner(block.id[lane], k);
+                const Vec3 edge = glm::abs(mesh_.corner(block.id[lane], (k + 1) % 3) - corner);
+                // Arguments in this order leave out NaN.
+                block.edge[lane] = std::max(
+                    std::max(std::max(block.edge[lane], edge.x), edge.y), edge.z);
                 for (int axis = 0; axis < 3; ++axis) {
                     block.corner[3 * k + axis][lane] = corner[axis];
                 }

@@ -53,11 +53,18 @@ LUCH_INLINE Three<T> upper(const Three<T>& a, const Three<T>& b) {
 /// bound allows 8u. What is left over, with the term in size², exceeds the bound in double of
 /// certain_triple_product(), 2⁻⁵⁰ · 2 · size² · sum. The last term is for underflow, the thousandth
 /// for the rounding of the bound itself.
-inline constexpr float relative_bound = 1.001f * 16 * 0x1p-24f;
+/// The terms that hold 2⁻²² cover what rounding makes of edges between corners taken relative to
+/// the origin; a hundredth is for size_of(), too.
+inline constexpr float relative_bound = 1.01f * 16 * 0x1p-24f;
 inline constexpr float smallest_bound = 9 * std::numeric_limits<float>::min();
+/// No component of a triangle's corners relative to the origin is larger, but for rounding.
+template <class T>
+LUCH_INLINE T size_of(const Three<T>& corner, const T& edge) {
+    return max_or(abs(corner.x), max_or(abs(corner.y), max_or(abs(corner.z), T(0.0f)))) + edge;
+}
 template <class A, class S>
 LUCH_INLINE auto sign_bound(const A& size, const A& edge, const S& sum) {
-    return size * (edge + size * 0x1p-26f) * (sum * relative_bound) +
+    return size * (edge + size * 0x1p-22f) * (sum * relative_bound) +
            (sum + 1.0f) * smallest_bound;
 }
 

@@ -138,9 +138,7 @@ LUCH_INLINE void look_at(const Bundle& bundle, const Block& block, Facets& f) {
     above.store(f.above);
     store(lower(a[0], lower(a[1], a[2])), f.lo);
     store(upper(a[0], upper(a[1], a[2])), f.hi);
-    const Four size = largest(a[0], largest(a[1], largest(a[2], Four(0.0f))));
-    const Four edge_size = largest(
-        edge1, largest(edge2, largest(edges[0], largest(edges[1], largest(edges[2], Four(0.0f))))));
+    const Four edge_size = Four::load(block.edge), size = size_of(a[0], edge_size);
     const Four sum(bundle.direction_sum);
     sign_bound(size, edge_size, sum).store(f.ray_bound);
     sign_bound(edge_size, edge_size, sum).store(f.slope_bound);

@@ -40,22 +40,9 @@ class BlockTest {
 
     /// Improves the search; true when it did.
     LUCH_INLINE bool operator()(const Block& block, Search& search) const {
-        Edges e;
-        for (int k = 0; k < 3; ++k) {
-            const auto at = [&](int axis) { return Four::load(block.corner[3 * k + axis]); };
-            e.p[k] = {at(0), at(1), at(2)};
-            e.a[k] = minus(e.p[k], origin_);
-        }
-        const Three<Four> edges[3] = {minus(e.a[2], e.a[1]), minus(e.a[0], e.a[2]),
-                                      minus(e.a[1], e.a[0])};
-        e.w[0] = dot(cross(e.a[1], edges[0]), direction_);
-        e.w[1] = dot(cross(e.a[2], edges[1]), direction_);
-        e.w[2] = dot(cross(e.a[0], edges[2]), direction_);
-        const Four size =
-            largest(e.a[0], largest(e.a[1], largest(e.a[2], Four(0.0f))));
-        const Four edge_size =
-            largest(edges[0], largest(edges[1], largest(edges[2], Four(0.0f))));
-        const Four bound = sign_bound(size, edge_size, Four(sum_));
+        const Edges e(block, origin_, direction_);
+        const Four size = size_of(e.a[0], Four::load(block.edge));
+        const Four bound = sign_bound(size, Four::load(block.edge), Four(sum_));
         const Four least = min_or(e.w[0], min_or(e.w[1], e.w[2]));
         const Four most = max_or(e.w[0], max_or(e.w[1], e.w[2]));
         const Four minus_bound = Four(0.0f) - bound;
@@ -63,22 +50,39 @@ class BlockTest {
         if (maybe == 0) return false;
         const unsigned positive = bound < least;
         const unsigned certain = positive | (most < minus_bound);
-        return finish(block, e, maybe, certain, cull_ ? positive : 0u, search);
+        return finish(block, maybe, certain, cull_ ? positive : 0u, search);
     }
 
  private:
+    /// Corners relative to the origin, and the values of the edges opposite to them.
     struct Edges {
-        Three<Four> p[3], a[3];
+        Three<Four> a[3];
         Four w[3];
+
+        LUCH_INLINE Edges(const Block& block, const Three<Four>& origin,
+                          const Three<Four>& direction) {
+            for (int k = 0; k < 3; ++k) a[k] = minus(corner(block, k), origin);
+            w[0] = dot(cross(a[1], minus(a[2], a[1])), direction);
+            w[1] = dot(cross(a[2], minus(a[0], a[2])), direction);
+            w[2] = dot(cross(a[0], minus(a[1], a[0])), direction);
+        }
     };
 
-    /// The distance of those that the edges let through.
-    bool finish(const Block& block, const Edges& e, unsigned maybe, unsigned certain,
-                unsigned culled, Search& search) const {
-        const Three<Four> edge1 = minus(e.p[1], e.p[0]), edge2 = minus(e.p[2], e.p[0]);
+    LUCH_INLINE static Three<Four> corner(const Block& block, int k) {
+        return {Four::load(block.corner[3 * k]), Four::load(block.corner[3 * k + 1]),
+                Four::load(block.corner[3 * k + 2])};
+    }
+
+    /// The distance of those that the edges let through. Computes them again: most blocks end
+    /// before, and keeping their numbers for this would cost more.
+    [[gnu::noinline]] bool finish(const Block& block, unsigned maybe, unsigned certain,
+                                  unsigned culled, Search& search) const {
+        const Edges e(block, origin_, direction_);
+        const Three<Four> p0 = corner(block, 0);
+        const Three<Four> edge1 = minus(corner(block, 1), p0), edge2 = minus(corner(block, 2), p0);
         const Three<Four> normal = cross(edge1, edge2);
         const Four above = dot(normal, e.a[0]), along = dot(normal, direction_);
-        const Four size = largest(edge1, largest(edge2, Four(0.0f)));
+        const Four size = Four::load(block.edge);
         certain &= (sign_bound(size, size, sum_of_sizes(e.a[0])) < abs(above)) &
                    (sign_bound(size, size, Four(sum_)) < abs(along));
         const Three<Four> lo = lower(e.a[0], lower(e.a[1], e.a[2]));
@@ -149,38 +153,50 @@ class BlockTest {
     float sum_;
 };
 
-/// A ray against the eight boxes of a node, by the one slab formula.
+/// A ray against the eight boxes of a node: the one slab formula, or a little more than it gives.
+/// The far side is padded through the inverse, by more than far_padding; where a t below 0 counts,
+/// which that would push the wrong way, as the formula has it.
 class NodeTest {
  public:
     explicit NodeTest(const ObjectRay& ray)
         : origin_(all<Eight>(ray.origin)), inverse_(all<Eight>(ray.inverse)), t_min_(ray.t_min) {
+        const float padding = ray.t_min >= 0 ? 1 + 0x1p-20f : 1;
+        padded_ = {inverse_.x * padding, inverse_.y * padding, inverse_.z * padding};
+        behind_ = !(ray.t_min >= 0);
         for (int axis = 0; axis < 3; ++axis) {
             const bool negative = std::signbit(ray.direction[axis]);
-            near_[axis] = negative ? axis + 3 : axis;
-            far_[axis] = negative ? axis : axis + 3;
+            near_[axis] = (negative ? axis + 3 : axis) * node_width;
+            far_[axis] = (negative ? axis : axis + 3) * node_width;
         }
     }
 
     /// A bit for every child that the ray may meet before `limit`; near: where it enters them.
+    /// Where a side gives NaN another may be lost with it, which keeps more.
     LUCH_INLINE unsigned operator()(const Node& node, float limit, float* near) const {
+        const float* bounds = node.bounds[0];
         const auto side = [&](int which, const Eight& o, const Eight& i) {
-            return (Eight::load(node.bounds[which]) - o) * i;
+            return (Eight::load(bounds + which) - o) * i;
         };
-        Eight in(t_min_), out(std::numeric_limits<float>::infinity());
-        in = max_or(side(near_[0], origin_.x, inverse_.x), in);
-        out = min_or(side(far_[0], origin_.x, inverse_.x), out);
-        in = max_or(side(near_[1], origin_.y, inverse_.y), in);
-        out = min_or(side(far_[1], origin_.y, inverse_.y), out);
-        in = max_or(side(near_[2], origin_.z, inverse_.z), in);
-        out = min_or(side(far_[2], origin_.z, inverse_.z), out);
-        out = min_or(max_or(out * Eight(far_padding), out), Eight(limit));
+        const Eight in = max_or(max_or(side(near_[0], origin_.x, inverse_.x),
+                                       side(near_[1], origin_.y, inverse_.y)),
+                                max_or(side(near_[2], origin_.z, inverse_.z), Eight(t_min_)));
+        const Eight far_x = side(far_[0], origin_.x, padded_.x);
+        const Eight far_y = side(far_[1], origin_.y, padded_.y);
+        const Eight far_z = side(far_[2], origin_.z, padded_.z);
         in.store(near);
-        return (in <= out) & node.used;
+        if (behind_) {
+            const Eight out = min_or(far_x, min_or(far_y, min_or(far_z, Eight(infinity))));
+            const Eight padded = max_or(out * Eight(far_padding), out);
+            return (in <= min_or(padded, Eight(limit))) & node.used;
+        }
+        return (in <= min_or(min_or(far_x, far_y), min_or(far_z, Eight(limit)))) & node.used;
     }
 
  private:
-    Three<Eight> origin_, inverse_;
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+    Three<Eight> origin_, inverse_, padded_;
     float t_min_;
+    bool behind_;
     int near_[3], far_[3];
 };
 

@@ -20,8 +20,9 @@ struct alignas(64) Node {
 };
 
 /// The corners are those of the mesh to the bit. A block that is not full repeats its last triangle.
-struct alignas(32) Block {
+struct alignas(64) Block {
     float corner[9][block_width];  ///< p0.x, p0.y, p0.z, p1.x, …
+    float edge[block_width];       ///< the largest |component| of a triangle's edges
     std::uint32_t id[block_width];
 };
 
