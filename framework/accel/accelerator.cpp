@@ -18,13 +18,13 @@ double slack_of(const Node& node) {
 }
 
 /// The t at which a ray enters a box that is padded by `slack` times the farthest corner's
-/// distance; NaN when it misses.
-double enter_world_box(const Boxd& box, double slack, const Ray& ray) {
+/// distance; NaN when it misses. `inverses` is 1 / direction.
+double enter_world_box(const Boxd& box, double slack, const Ray& ray, const Vec3d& inverses) {
     const Vec3d lo = box.lo - ray.origin, hi = box.hi - ray.origin;
     const double padding = slack * std::max(max_norm(lo), max_norm(hi));
     double near = ray.t_min, far = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-        const double inverse = 1 / ray.direction[axis];
+        const double inverse = inverses[axis];
         const double one = (lo[axis] - padding) * inverse, other = (hi[axis] + padding) * inverse;
         // Comparisons with NaN (a ray in the face of a box) are false and keep the old bound.
         const double first = std::signbit(inverse) ? other : one;
@@ -207,10 +207,15 @@ class BvhAccelerator final : public Accelerator {
         for (const NodeId node : unbounded_) {
             if (improve_with_node(node, ray, any, best, work) && any) return best;
         }
+        if (bounded_.size() == 1) {  // its own tree says no as quickly as its box
+            improve_with_node(bounded_[0], ray, any, best, work);
+            return best;
+        }
+        const Vec3d inverses = 1.0 / ray.direction;
         world_.walk(
             [&](std::uint32_t index) {
                 ++work.boxes;
-                return enter_world_box(world_.nodes()[index].box, slack_[index], ray);
+                return enter_world_box(world_.nodes()[index].box, slack_[index], ray, inverses);
             },
             [&] { return static_cast<double>(best.t); },
             [&](const Bvh<Boxd>::Node& leaf) {
@@ -249,18 +254,16 @@ class BvhAccelerator final : public Accelerator {
     bool improve_with_node(NodeId id, const Ray& ray, bool any, Hit& best, WorkCounts& work) const {
         const Node& node = scene_->nodes[id];
         const Ray object = to_object(ray, node);
-        const Hit before = best;
         if (const auto& mesh = meshes_[node.geometry]) {
-            if (any) {
-                if (mesh->occluded(object_ray(object), work)) best.node = id;
-            } else {
-                mesh->closest(object_ray(object), id, best, work);
-            }
-        } else {
-            ++work.primitives;
-            std::visit([&](const auto& shape) { improve_with(shape, object, id, best); },
-                       scene_->geometries[node.geometry]);
+            if (!any) return mesh->closest(object_ray(object), id, best, work);
+            if (!mesh->occluded(object_ray(object), work)) return false;
+            best.node = id;
+            return true;
         }
+        ++work.primitives;
+        const Hit before = best;
+        std::visit([&](const auto& shape) { improve_with(shape, object, id, best); },
+                   scene_->geometries[node.geometry]);
         return !(best == before);
     }
 

@@ -11,10 +11,10 @@ class MeshBvh {
  public:
     MeshBvh(const Mesh& mesh, Isa isa);
 
-    /// Improves `best` (by nearer()) with the triangles of this mesh, seen as `node`. `ray` is in
-    /// the mesh's frame.
-    void closest(const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) const {
-        kernels_->closest(tree_, ray, node, best, work);
+    /// Improves `best` (by nearer()) with the triangles of this mesh, seen as `node`; true when it
+    /// did. `ray` is in the mesh's frame.
+    bool closest(const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) const {
+        return kernels_->closest(tree_, ray, node, best, work);
     }
     [[nodiscard]] bool occluded(const ObjectRay& ray, WorkCounts& work) const {
         return kernels_->occluded(tree_, ray, work);

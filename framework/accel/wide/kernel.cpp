@@ -26,6 +26,16 @@ void search_untamed(const RayPacket& rays, const Transform& to_object, Bundle& b
     }
 }
 
+/// Calls one(i) for every ray that still looks for something.
+template <class One>
+void each_ray_left(const Bundle& bundle, One&& one) {
+    for (int group = 0; group < groups; ++group) {
+        for (unsigned rest = active_lanes(bundle, group); rest != 0; rest &= rest - 1) {
+            one(group * groups + std::countr_zero(rest));
+        }
+    }
+}
+
 /// barycentric() in lanes.
 LUCH_INLINE Sixteen share(const Sixteen& part, const Sixteen& whole, const Sixteen& limit) {
     const Sixteen ratio = part / whole;
@@ -66,10 +76,15 @@ void closest_packet(const Tree& tree, const Transform& to_object, const RayPacke
     });
     if (!bound(bundle)) return;
     Found found;
-    PacketSearch<false>(tree, node, &hits, bundle, found).run(work);
+    const bool finished = PacketSearch<false>(tree, node, &hits, bundle, found).run(work);
     for (int group = 0; group < groups; ++group) {
         if (found.improved[group] != 0) write_group(bundle, found, group, node, hits);
     }
+    if (finished) return;
+    each_ray_left(bundle, [&](int i) {
+        Hit best = hits.hit(i);
+        if (closest(tree, bundle.ray(i, rays.t_max[i]), node, best, work)) hits.set(i, best);
+    });
 }
 
 void occluded_packet(const Tree& tree, const Transform& to_object, const RayPacket& rays,
@@ -81,7 +96,13 @@ void occluded_packet(const Tree& tree, const Transform& to_object, const RayPack
     });
     if (!bound(bundle)) return;
     Found found;
-    PacketSearch<true>(tree, 0, nullptr, bundle, found).run(work);
+    const bool finished = PacketSearch<true>(tree, 0, nullptr, bundle, found).run(work);
+    if (!finished) {
+        each_ray_left(bundle, [&](int i) {
+            if (!occluded(tree, bundle.ray(i, rays.t_max[i]), work)) return;
+            found.improved[i / groups] |= 1u << (i % groups);
+        });
+    }
     for (int group = 0; group < groups; ++group) {
         for (unsigned rest = found.improved[group]; rest != 0; rest &= rest - 1) {
             limits[group * groups + std::countr_zero(rest)] = -infinite;

@@ -13,8 +13,8 @@ namespace luch::wide {
 /// The searches through a tree, compiled for one level of the processor. All levels give the same
 /// bits; see kernel.cpp.
 struct Kernels {
-    /// Improves `best`, by nearer(), with the triangles of a tree seen as `node`.
-    void (*closest)(const Tree&, const ObjectRay&, NodeId node, Hit& best, WorkCounts&);
+    /// Improves `best`, by nearer(), with the triangles of a tree seen as `node`; true when it did.
+    bool (*closest)(const Tree&, const ObjectRay&, NodeId node, Hit& best, WorkCounts&);
     /// Whether any triangle is hit.
     bool (*occluded)(const Tree&, const ObjectRay&, WorkCounts&);
     /// The same for the rays of a packet in world space, which `to_object` leads to the tree. In:

@@ -20,6 +20,10 @@ struct Visit {
     std::uint16_t slot, groups;
 };
 
+/// How many tests of sixteen rays a packet is worth: some six for each group of them would do when
+/// they have much in common.
+inline constexpr std::uint64_t patience = 800;
+
 template <bool any>
 class PacketSearch {
  public:
@@ -28,14 +32,27 @@ class PacketSearch {
                  Found& found)
         : tree_(tree), node_(node), before_(before), bundle_(bundle), found_(found) {}
 
-    void run(WorkCounts& work) {
+    /// Searches, but gives up (false, with what was found so far) when the rays turn out to have so
+    /// little in common that one by one they cost less.
+    bool run(WorkCounts& work) {
+        const bool finished = search();
+        work.boxes += boxes_ * node_width;
+        work.primitives += primitives_;
+        return finished;
+    }
+
+ private:
+    bool search() {
+        if (std::popcount(bundle_.wide) > groups / 2) return false;
         open(0, 0xffff);
         while (size_ > 0) {
+            if (primitives_ + rays_tested_ > patience) return false;
             const Visit visit = stack_[--size_];
             if (!(visit.near <= bundle_.limit_all)) continue;
             const Node& node = tree_.nodes[visit.node];
             unsigned meeting = groups_meeting(bundle_, node, visit.slot) & visit.groups;
             for (unsigned g = meeting & bundle_.wide; g != 0; g &= g - 1) {
+                ++rays_tested_;
                 if (!ray_meets(node, visit.slot, std::countr_zero(g))) meeting &= ~(g & -g);
             }
             if (meeting == 0) continue;
@@ -46,11 +63,9 @@ class PacketSearch {
                 test_block(tree_.blocks[child & ~leaf_bit], meeting);
             }
         }
-        work.boxes += boxes_ * node_width;
-        work.primitives += primitives_;
+        return true;
     }
 
- private:
     /// Pushes the children that are met, the nearest last.
     void open(std::uint32_t index, unsigned groups_met) {
         const Node& node = tree_.nodes[index];
@@ -231,7 +246,7 @@ class PacketSearch {
     Found& found_;
     Visit stack_[max_depth * (node_width - 1) + node_width];
     int size_ = 0;
-    std::uint64_t boxes_ = 0, primitives_ = 0;
+    std::uint64_t boxes_ = 0, primitives_ = 0, rays_tested_ = 0;
 };
 
 }  // namespace

@@ -254,16 +254,17 @@ void count(const Search& search, WorkCounts& work) {
     work.primitives += search.primitives * block_width;
 }
 
-void closest(const Tree& tree, const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) {
+bool closest(const Tree& tree, const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) {
     Search search;
     search.best = best;
     search_tree<false>(tree, ray, node, search);
     count(search, work);
-    if (!search.improved) return;
+    if (!search.improved) return false;
     best = search.best;
     const Barycentric at = barycentric(search.weights[0], search.weights[1], search.weights[2]);
     best.u = at.u;
     best.v = at.v;
+    return true;
 }
 
 bool occluded(const Tree& tree, const ObjectRay& ray, WorkCounts& work) {
