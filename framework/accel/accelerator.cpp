@@ -1,6 +1,7 @@
 #include "framework/accel/accelerator.h"
 
 #include "framework/accel/bvh.h"
+#include "framework/accel/csg_hit.h"
 #include "framework/accel/mesh_bvh.h"
 #include "framework/accel/node_hit.h"
 #include "framework/accel/shapes.h"
@@ -177,10 +178,15 @@ class BvhAccelerator final : public Accelerator {
  private:
     /// Unbounded nodes into a list of their own, the others into the world's BVH.
     void sort_nodes() {
+        // Once a geometry, not once a node: a forest's nodes share a few large meshes.
+        std::vector<Boxd> of_geometry;
+        for (const Geometry& geometry : scene_->geometries) {
+            of_geometry.push_back(bounds_of(geometry));
+        }
         std::vector<Boxd> boxes;
         for (NodeId id = 0; id < scene_->nodes.size(); ++id) {
             const Node& node = scene_->nodes[id];
-            const Boxd box = node.to_world.box(bounds_of(scene_->geometries[node.geometry]));
+            const Boxd box = node.to_world.box(of_geometry[node.geometry]);
             if (box.empty()) continue;
             if (!all_finite(box.lo) || !all_finite(box.hi)) {
                 unbounded_.push_back(id);
@@ -260,17 +266,13 @@ class BvhAccelerator final : public Accelerator {
             best.node = id;
             return true;
         }
-        ++work.primitives;
         const Hit before = best;
-        std::visit([&](const auto& shape) { improve_with(shape, object, id, best); },
-                   scene_->geometries[node.geometry]);
+        const auto in_mesh = [&](GeometryId geometry, const Mesh&, const ObjectRay& in_frame,
+                                 Crossings& crossings) {
+            meshes_[geometry]->find_crossings(in_frame, crossings, work);
+        };
+        improve_with_shape(*scene_, node.geometry, object, id, best, work, in_mesh);
         return !(best == before);
-    }
-
-    static void improve_with(const Mesh&, const Ray&, NodeId, Hit&) {}  // has a BVH of its own
-    template <class Shape>
-    static void improve_with(const Shape& shape, const Ray& ray, NodeId node, Hit& best) {
-        improve_with_shape(shape, ray, node, best);
     }
 
     const Scene* scene_;

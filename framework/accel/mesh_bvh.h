@@ -1,6 +1,7 @@
 #pragma once
 
 #include "framework/accel/accelerator.h"
+#include "framework/accel/crossings.h"
 #include "framework/accel/wide/kernels.h"
 #include "framework/scene/scene.h"
 
@@ -28,6 +29,9 @@ class MeshBvh {
                   WorkCounts& work) const {
         kernels_->occluded_packet(tree_, seen_as.to_object, rays, limits, work);
     }
+
+    /// Adds all places where the ray passes through the mesh's surface, backfaces and all.
+    void find_crossings(const ObjectRay& ray, Crossings& crossings, WorkCounts& work) const;
 
     [[nodiscard]] std::uint64_t bytes() const { return tree_.bytes(); }
 

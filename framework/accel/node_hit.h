@@ -1,6 +1,8 @@
 #pragma once
 
-#include "framework/accel/accelerator.h"
+#include "framework/accel/csg_hit.h"
+
+#include <type_traits>
 
 namespace luch {
 
@@ -19,15 +21,39 @@ namespace luch {
     return {.t = ray.t_max};
 }
 
-/// Improves `best` with a shape that is no mesh; `ray` in the shape's coordinates.
+/// Meets a shape that is neither a mesh nor a solid.
 template <class Shape>
-bool improve_with_shape(const Shape& shape, const Ray& ray, NodeId node, Hit& best) {
-    const auto found = intersect(shape, ray);
-    if (!found) return false;
-    const Hit hit{static_cast<float>(found->t), 0, 0, node, found->primitive};
-    if (!nearer(hit, best)) return false;
-    best = hit;
-    return true;
+std::optional<Hit> hit_of(const Shape& shape, const Ray& ray, WorkCounts& work) {
+    std::optional<ShapeHit> found;
+    if constexpr (std::is_same_v<Shape, Heightfield>) {
+        found = intersect(shape, ray, work);
+    } else {
+        ++work.primitives;
+        found = intersect(shape, ray);
+    }
+    if (!found) return std::nullopt;
+    return Hit{static_cast<float>(found->t), 0, 0, no_node, found->primitive};
+}
+
+/// Improves `best` with a geometry that is no mesh; `ray` in its coordinates. `in_mesh` is what
+/// intersect() of a solid needs.
+template <class InMesh>
+void improve_with_shape(const Scene& scene, GeometryId geometry, const Ray& ray, NodeId node,
+                        Hit& best, WorkCounts& work, InMesh&& in_mesh) {
+    const auto meet = [&](const auto& shape) -> std::optional<Hit> {
+        using Shape = std::decay_t<decltype(shape)>;
+        if constexpr (std::is_same_v<Shape, Mesh>) {
+            return std::nullopt;
+        } else if constexpr (std::is_same_v<Shape, Csg>) {
+            return intersect(shape, scene.geometries, ray, work, in_mesh);
+        } else {
+            return hit_of(shape, ray, work);
+        }
+    };
+    std::optional<Hit> hit = std::visit(meet, scene.geometries[geometry]);
+    if (!hit) return;
+    hit->node = node;
+    if (nearer(*hit, best)) best = *hit;
 }
 
 }  // namespace luch

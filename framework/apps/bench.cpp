@@ -4,6 +4,7 @@
 #include "framework/base/json.h"
 #include "framework/base/text.h"
 #include "framework/measure/bench_rays.h"
+#include "framework/scene/loader/mesh_builder.h"
 #include "framework/scene/loader/obj.h"
 
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ Mesh mesh_of(const std::string& name) {
         throw Error(name + ": there is no such file; give an .obj, or bumpy for a generated mesh");
     }
     loader::Diagnostics diagnostics(name, false);
-    return loader::read_obj(name, {}, diagnostics);
+    return loader::mesh_of(loader::read_obj(name, diagnostics), {}, name);
 }
 
 /// "x,y,z,x,y,z,x,y,z": eye, at and light in the file's coordinates; "": outside, for any mesh.

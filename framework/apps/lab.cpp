@@ -41,8 +41,9 @@ class Lab final : public Verb {
     }
     void declare(Arguments& arguments) override {
         arguments.positional("SCENE", scenes_, "scene files");
-        arguments.option("-t,--technique", techniques_, "NAMES",
-                         "which, with commas between them [all but homework]");
+        arguments.option(
+            "-t,--technique", techniques_, "NAMES",
+            "which, with commas between them [all that approximate the baseline, but homework]");
         arguments.flag("--quick", quick_, "fewer frames and samples: for a first look");
         arguments.option("--out", out_, "DIR", "where the report is written [out/lab]");
         options_.declare(arguments);
@@ -80,6 +81,7 @@ class Lab final : public Verb {
         if (!techniques_.empty()) return techniques;
         for (const TechniqueInfo& info : catalogue()) {
             if (info.name == "baseline" || info.name.starts_with("homework/")) continue;
+            if (!info.approximates) continue;
             techniques.push_back(&info);
         }
         return techniques;

@@ -12,6 +12,7 @@ class Progress {
     Progress();
     /// `part` of all the work is done, 0..1; `what` begins.
     void step(double part, const std::string& what);
+    [[nodiscard]] bool on_terminal() const { return terminal_; }
     /// Takes the line away, before something else is printed.
     void clear() const;
 

@@ -1,3 +1,5 @@
+#include "framework/apps/progress.h"
+#include "framework/apps/ray_log.h"
 #include "framework/apps/session.h"
 #include "framework/apps/verbs.h"
 #include "framework/base/error.h"
@@ -20,26 +22,40 @@ class Render final : public Verb {
         return "  luch render scenes/room/room.scene                      writes out/room.png\n"
                "  luch render scenes/room/room.scene -t vista -o room.exr  linear, half float\n"
                "  luch render scenes/room/room.scene --spp 16 --json room.json\n"
-               "  luch render scenes/spheres/spheres.scene -t vista -p segments=16\n";
+               "  luch render scenes/spheres/spheres.scene -t vista -p segments=16\n"
+               "  luch render scenes/room/room.scene --ray-log 470,300     and that pixel's rays\n";
     }
     void declare(Arguments& arguments) override {
         arguments.positional("SCENE", scene_, "a scene file");
-        arguments.option("-t,--technique", technique_, "NAME", "what renders it [baseline]");
+        arguments.option("-t,--technique", technique_, "NAME",
+                         "what renders it [path where the scene says gi, else baseline]");
         arguments.option("-p,--param", params_, "KEY=VALUE", "a parameter of the technique");
         arguments.option("-o,--output", output_, "FILE",
                          ".png .bmp .jpg (sRGB), .exr .hdr (linear) [out/SCENE.png]");
         arguments.option("--frames", frames_, "N", "time N frames, report the median [1]");
         arguments.option("--json", json_, "FILE",
                          "write times, rays and what was left out as JSON");
+        ray_log_.declare(arguments);
         options_.declare(arguments);
     }
     int run() override {
         if (frames_ < 1 || frames_ > 1000) throw Error("--frames: give 1 to 1000");
         const Session session(scene_, options_);
+        if (technique_.empty()) technique_ = default_technique(session.scene());
         const auto technique = make_technique(technique_, params_);
+        RayLog log;
+        const auto watch = ray_log_.watch(session.shot().size, log);
+        if (watch && frames_ > 1) throw Error("--ray-log records one frame; leave --frames out");
+        Progress progress;
+        Budget budget = session.budget();
+        // A log of a program's output wants no line for each part of a picture.
+        if (progress.on_terminal()) {
+            budget.on_part = [&](double part) { progress.step(part, scene_); };
+        }
         const Outcome outcome =
-            luch::run(*technique, session.studio(), session.shot(), session.budget(),
-                      {.warm_up = frames_ > 1 ? 1 : 0, .frames = frames_});
+            luch::run(*technique, session.studio(), session.shot(), budget,
+                      {.warm_up = frames_ > 1 ? 1 : 0, .frames = frames_}, nullptr, watch);
+        progress.clear();
         if (!outcome.plan.applies) {
             throw Error(technique_ + " does not apply to this scene: " + outcome.plan.why);
         }
@@ -48,6 +64,7 @@ class Render final : public Verb {
                             : output_;
         write_picture(output, outcome.frame.colour.view());
         report(session, outcome, output);
+        if (watch) write_ray_log(session, ray_log_, *watch, output);
         if (!json_.empty()) json_of(session, outcome).write(json_);
         return outcome.non_finite.count == 0 ? 0 : 1;
     }
@@ -105,10 +122,11 @@ class Render final : public Verb {
             .set("non_finite_pixels", outcome.non_finite.count);
     }
 
-    std::string scene_, technique_ = "baseline", output_, json_;
+    std::string scene_, technique_, output_, json_;
     std::vector<std::string> params_;
     int frames_ = 1;
     SceneOptions options_;
+    RayLogOptions ray_log_;
 };
 
 }  // namespace

@@ -19,49 +19,24 @@ double ms_since(std::chrono::steady_clock::time_point start) {
         .count();
 }
 
-/// "x,y,z,yaw,pitch[,roll[,fov]]" over a scene's camera.
-Camera moved_camera(Camera camera, const std::string& text) {
-    std::vector<double> numbers;
-    for (const std::string& piece : split(text, ',')) {
-        const auto number = parsed_number(trimmed(piece));
-        if (!number) throw Error("--camera: \"" + piece + "\" is not a number");
-        numbers.push_back(*number);
+void set_field_of_view(Camera& camera, double fov_deg, const std::string& option) {
+    if (camera.projection == Projection::spherical ||
+        camera.projection == Projection::orthographic) {
+        throw Error(option +
+                    ": this scene's camera has no field of view; leave the last number out");
     }
-    if (numbers.size() < 5 || numbers.size() > 7) {
-        throw Error("--camera: give x,y,z,yaw,pitch and, if you like, roll and fov, in degrees");
+    const bool fisheye = camera.projection == Projection::fisheye;
+    if (!(fov_deg >= (fisheye ? 1 : 1e-4) && fov_deg <= (fisheye ? 360 : 179))) {
+        throw Error(fmt::format("{}: the field of view is not in {}", option,
+                                fisheye ? "1..360, as a fisheye's is" : "0.0001..179"));
     }
-    camera.position = {numbers[0], numbers[1], numbers[2]};
-    camera.yaw_deg = numbers[3];
-    camera.pitch_deg = numbers[4];
-    if (numbers.size() > 5) camera.roll_deg = numbers[5];
-    if (numbers.size() > 6) camera.fov_deg = numbers[6];
-    if (!(std::abs(camera.pitch_deg) <= 90)) throw Error("--camera: the pitch is not in -90..90");
-    if (!(camera.fov_deg >= 1e-4 && camera.fov_deg <= 179)) {
-        throw Error("--camera: the field of view is not in 0.0001..179");
-    }
-    return camera;
+    camera.fov_deg = fov_deg;
 }
 
 int checked_threads(int threads) {
     if (threads >= 0 && threads <= Workers::most_threads) return threads;
     throw Error(fmt::format("--threads {}: give 1 to {}, or 0 for all cores", threads,
                             Workers::most_threads));
-}
-
-/// What a scene asks for and this version does not do is said, not passed over.
-void warn_of_version(const Scene& scene) {
-    const auto warn = [&](const char* what) {
-        fmt::print(stderr, "luch: warning: {}: {}\n", scene.name, what);
-    };
-    if (scene.settings.global_illumination) {
-        warn("gi is on; there is no path tracer yet, so the light is the classic tracer's");
-    }
-    if (scene.camera.depth_of_field) {
-        warn("dof is on; there is no thin lens yet, so everything is in focus");
-    }
-    if (scene.camera.stereo_separation != 0) {
-        warn("stereoSeparation is set; there is no stereo yet, so one eye's picture is made");
-    }
 }
 
 }  // namespace
@@ -78,6 +53,25 @@ void SceneOptions::declare(Arguments& arguments) {
     arguments.flag("--strict", strict, "warnings about the scene file are errors");
     arguments.flag("--no-skip", no_skip,
                    "run every stage, also those that the scene does not need");
+}
+
+Camera moved_camera(Camera camera, const std::string& text, const std::string& option) {
+    std::vector<double> numbers;
+    for (const std::string& piece : split(text, ',')) {
+        const auto number = parsed_number(trimmed(piece));
+        if (!number) throw Error(option + ": \"" + piece + "\" is not a number");
+        numbers.push_back(*number);
+    }
+    if (numbers.size() < 5 || numbers.size() > 7) {
+        throw Error(option + ": give x,y,z,yaw,pitch and, if you like, roll and fov, in degrees");
+    }
+    camera.position = {numbers[0], numbers[1], numbers[2]};
+    camera.yaw_deg = numbers[3];
+    camera.pitch_deg = numbers[4];
+    if (numbers.size() > 5) camera.roll_deg = numbers[5];
+    if (!(std::abs(camera.pitch_deg) <= 90)) throw Error(option + ": the pitch is not in -90..90");
+    if (numbers.size() > 6) set_field_of_view(camera, numbers[6], option);
+    return camera;
 }
 
 Size parsed_size(const std::string& text) {
@@ -108,16 +102,20 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
     }
     scene_ = std::make_unique<Scene>(std::move(loaded.scene));
     load_ms_ = ms_since(loading);
-    warn_of_version(*scene_);
     const auto building = std::chrono::steady_clock::now();
     accelerator_ = build_accelerator(*scene_);
     build_ms_ = ms_since(building);
     shot_ = shot_of(*scene_);
     if (!options.size.empty()) shot_.size = parsed_size(options.size);
-    if (!options.camera.empty()) shot_.camera = moved_camera(shot_.camera, options.camera);
+    if (!options.camera.empty())
+        shot_.camera = moved_camera(shot_.camera, options.camera, "--camera");
     shot_.spp = options.spp;
     shot_.seed = options.seed;
     budget_.skip = !options.no_skip;
+}
+
+std::string default_technique(const Scene& scene) {
+    return scene.settings.global_illumination ? "path" : "baseline";
 }
 
 std::unique_ptr<Technique> make_technique(const std::string& name,

@@ -50,6 +50,14 @@ class Session {
 std::unique_ptr<Technique> make_technique(const std::string& name,
                                           const std::vector<std::string>& params = {});
 
+/// A camera put where "x,y,z,yaw,pitch[,roll[,fov]]" says, degrees. Throws Error that names the
+/// option when the text says something else.
+Camera moved_camera(Camera camera, const std::string& text, const std::string& option);
+
+/// What renders a scene when nobody says: the path tracer where it asks for global illumination
+/// (gi), else the baseline.
+std::string default_technique(const Scene& scene);
+
 /// "640x480" → {640, 480}. Throws Error when it is anything else, or a side is not in 1..16384.
 Size parsed_size(const std::string& text);
 

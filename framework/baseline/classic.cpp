@@ -5,8 +5,8 @@
 namespace luch {
 namespace {
 
-// What a sample's key is used for.
-enum Purpose : std::uint64_t { position_in_pixel, radiance };
+/// What a sample's key is used for.
+constexpr std::uint64_t radiance = 1;
 
 bool has_texture(const Material& material) {
     if (const auto* lambert = std::get_if<Lambert>(&material))
@@ -23,6 +23,18 @@ Stage stage(std::string name, bool needed, std::string because_needed, std::stri
             Stage::Kind kind = Stage::exact) {
     return {std::move(name), needed, kind,
             needed ? std::move(because_needed) : std::move(because_not)};
+}
+
+template <class Work>
+void for_each_pixel(const Tile& tile, Work&& work) {
+    constexpr int block = 4;
+    for (int y0 = tile.y0; y0 < tile.y1; y0 += block) {
+        for (int x0 = tile.x0; x0 < tile.x1; x0 += block) {
+            for (int y = y0; y < std::min(y0 + block, tile.y1); ++y) {
+                for (int x = x0; x < std::min(x0 + block, tile.x1); ++x) work(x, y);
+            }
+        }
+    }
 }
 
 /// Whether a pixel stands out from its four neighbours, or one of them does.
@@ -46,18 +58,25 @@ std::vector<Stage> classic_stages(const Scene& scene, const Shot& shot) {
     const bool textures = std::any_of(scene.materials.begin(), scene.materials.end(), has_texture);
     const bool bumps = std::any_of(scene.nodes.begin(), scene.nodes.end(),
                                    [](const Node& node) { return node.bump != no_texture; });
-    const bool adaptive = shot.spp == 0 && scene.settings.anti_aliasing;
+    const bool adaptive = may_antialias(shot) && scene.settings.anti_aliasing;
     return {
         stage("texture coordinates", textures, "a material has a texture",
               "no material has a texture"),
         stage("bump", bumps, "a node has a bump", "no node has a bump"),
         stage("dark shadow rays", false, "",
               "where n·l ≤ 0 or a light is black, what is in between does not matter"),
+        stage("lens", shot.camera.has_lens(), "the camera has a thin lens (dof)",
+              "the camera is a pinhole: all rays leave from one point of the lens"),
         stage("anti-aliasing", adaptive, "the scene asks for it (wantAA)",
-              shot.spp == 0 ? "the scene does not ask for it (wantAA)"
-                            : "the number of samples is given (--spp)",
+              shot.spp > 0             ? "the number of samples is given (--spp)"
+              : shot.camera.has_lens() ? "the lens samples lie all over the pixel"
+                                       : "the scene does not ask for it (wantAA)",
               Stage::heuristic),
     };
+}
+
+bool may_antialias(const Shot& shot) {
+    return shot.spp == 0 && !shot.camera.has_lens();
 }
 
 WhittedNeeds whitted_needs(const Plan& plan) {
@@ -65,61 +84,46 @@ WhittedNeeds whitted_needs(const Plan& plan) {
             .dark_shadow_rays = plan.needed("dark shadow rays")};
 }
 
-Key sample_key(const Shot& shot, int x, int y, int sample) {
-    return Key(shot.seed)
-        .branch(static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(shot.size.width) +
-                static_cast<std::uint64_t>(x))
-        .branch(static_cast<std::uint64_t>(sample));
-}
-
-Vec2d sample_position(const Shot& shot, int x, int y, int sample) {
-    const Vec2d corner(x, y);
-    if (shot.spp <= 1) return corner + 0.5;
-    return corner + sample_key(shot, x, y, sample).square(position_in_pixel);
-}
-
 void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
-                Tracer& tracer, ImageView<Rgb> colour) {
+                bool lens, Tracer& tracer, ImageView<Rgb> colour) {
     const Screen screen(shot.camera, shot.size);
     const Whitted whitted(scene, needs, tracer);
-    const int samples = std::max(1, shot.spp);
-    std::vector<Ray> rays(tile.area());
-    std::vector<Hit> hits(tile.area());
+    const int samples = sample_count(shot);
+    std::vector<std::pair<int, int>> pixels;
+    std::vector<Ray> rays;
+    std::vector<Hit> hits;
+    for_each_pixel(tile, [&](int x, int y) { colour(x, y) = Rgb(0); });
     for (int sample = 0; sample < samples; ++sample) {
-        std::size_t i = 0;
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; ++x) {
-                const Vec2d p = sample_position(shot, x, y, sample);
-                rays[i++] = screen.ray(p.x, p.y);
-            }
-        }
+        pixels.clear();
+        rays.clear();
+        for_each_pixel(tile, [&](int x, int y) {
+            const Ray ray = primary_ray(screen, shot, x, y, sample, samples, lens);
+            if (nowhere(ray)) return;
+            pixels.emplace_back(x, y);
+            rays.push_back(ray);
+        });
+        hits.resize(rays.size());
         tracer.closest(RayKind::primary, rays, hits);
-        i = 0;
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; ++x, ++i) {
-                const Key key = sample_key(shot, x, y, sample).branch(radiance);
-                const Rgb light = whitted.shade(RayKind::primary, rays[i], hits[i], key);
-                colour(x, y) = sample == 0 ? light : colour(x, y) + light;
-            }
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            const auto [x, y] = pixels[i];
+            const Key key = sample_key(shot, x, y, sample).branch(radiance);
+            colour(x, y) += whitted.shade(RayKind::primary, rays[i], hits[i], key);
         }
     }
     if (samples == 1) return;
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) colour(x, y) /= static_cast<float>(samples);
-    }
+    for_each_pixel(tile, [&](int x, int y) { colour(x, y) /= static_cast<float>(samples); });
 }
 
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
                 Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour) {
     const Screen screen(shot.camera, shot.size);
     const Whitted whitted(scene, needs, tracer);
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) {
-            const Key key = sample_key(shot, x, y, 0).branch(radiance);
-            const Ray ray = screen.ray(x + 0.5, y + 0.5);
-            colour(x, y) = whitted.shade(RayKind::primary, ray, hits(x, y), key);
-        }
-    }
+    for_each_pixel(tile, [&](int x, int y) {
+        const Key key = sample_key(shot, x, y, 0).branch(radiance);
+        const Ray ray = screen.ray(x + 0.5, y + 0.5);
+        colour(x, y) =
+            nowhere(ray) ? Rgb(0) : whitted.shade(RayKind::primary, ray, hits(x, y), key);
+    });
 }
 
 void antialias(const Scene& scene, const Shot& shot, const WhittedNeeds& needs, Context& context,
@@ -127,26 +131,23 @@ void antialias(const Scene& scene, const Shot& shot, const WhittedNeeds& needs, 
     // The edges are found in the picture as it was, whatever the order of the tiles.
     Image<std::uint8_t> edges(colour.size());
     context.for_each_tile(colour.size(), [&](Tile tile, int) {
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; ++x) edges(x, y) = is_edge(colour, x, y) ? 1 : 0;
-        }
+        for_each_pixel(tile, [&](int x, int y) { edges(x, y) = is_edge(colour, x, y) ? 1 : 0; });
     });
     const Screen screen(shot.camera, shot.size);
     constexpr std::array<Vec2d, 4> around{Vec2d{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
     context.for_each_tile(colour.size(), [&](Tile tile, int worker) {
         const Whitted whitted(scene, needs, context.tracer(worker));
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; ++x) {
-                if (edges(x, y) == 0) continue;
-                Rgb sum = colour(x, y);
-                for (int i = 0; i < 4; ++i) {
-                    const Ray ray = screen.ray(x + 0.5 + around[i].x, y + 0.5 + around[i].y);
-                    const Key key = sample_key(shot, x, y, i + 1).branch(radiance);
-                    sum += whitted.radiance(RayKind::primary, ray, key);
-                }
-                colour(x, y) = sum / 5.0f;
+        for_each_pixel(tile, [&](int x, int y) {
+            if (edges(x, y) == 0) return;
+            Rgb sum = colour(x, y);
+            for (int i = 0; i < 4; ++i) {
+                const Ray ray = screen.ray(x + 0.5 + around[i].x, y + 0.5 + around[i].y);
+                if (nowhere(ray)) continue;
+                const Key key = sample_key(shot, x, y, i + 1).branch(radiance);
+                sum += whitted.radiance(RayKind::primary, ray, key);
             }
-        }
+            colour(x, y) = sum / 5.0f;
+        });
     });
 }
 

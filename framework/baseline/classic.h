@@ -1,6 +1,7 @@
 #pragma once
 
 #include "framework/technique/context.h"
+#include "framework/technique/samples.h"
 #include "framework/technique/technique.h"
 #include "framework/trace/whitted.h"
 
@@ -13,16 +14,14 @@ std::vector<Stage> classic_stages(const Scene& scene, const Shot& shot);
 /// The same as switches for the hot code.
 WhittedNeeds whitted_needs(const Plan& plan);
 
-/// The key of a sample: all randomness of a pixel comes from it.
-Key sample_key(const Shot& shot, int x, int y, int sample);
+/// Whether the scene's own anti-aliasing has a say in a shot: the number of samples is not given,
+/// and there are no lens samples, which lie all over the pixel.
+bool may_antialias(const Shot& shot);
 
-/// Where a sample lies, in pixel coordinates: the centre with one sample a pixel (or with the
-/// scene's own anti-aliasing), else uniformly random over the pixel.
-Vec2d sample_position(const Shot& shot, int x, int y, int sample);
-
-/// Fills a tile with the mean of all of a pixel's samples, hits found by tracing.
+/// Fills a tile with the mean of all of a pixel's samples, hits found by tracing. `lens`: rays
+/// leave from all over the lens (the plan's stage "lens"). Where there is no ray it is black.
 void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
-                Tracer& tracer, ImageView<Rgb> colour);
+                bool lens, Tracer& tracer, ImageView<Rgb> colour);
 
 /// The same with one sample a pixel, the hits of the pixels' centres being known already (from an
 /// item buffer…). Bit for bit what trace_tile() makes of the same hits.

@@ -3,7 +3,9 @@
 #include "framework/image/image.h"
 #include "framework/math/colour.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <string_view>
 
 /// The two libraries behind io.h, each in one source file. Only io.cpp includes this header.
 namespace luch::formats {
@@ -23,10 +25,17 @@ struct Format {
 
 /// Throws Error{file} when the header is not of that format, or promises a side over the limit or
 /// more pixels than a file of that many bytes can hold.
-void check_header(const std::filesystem::path& file, const Header& header);
+void check_header(const std::filesystem::path& file, const Header& header,
+                  std::uintmax_t file_bytes);
 
-Header stb_header(const std::filesystem::path& file, const Format& format);
-Image<Rgb> stb_pixels(const std::filesystem::path& file, const Format& format);
+/// The format that a file's first bytes tell: "png", "jpeg", "bmp", else "tga", which has no mark.
+const char* stb_format_inside(std::string_view bytes);
+
+/// Headers and pixels are read under check_header(). `bytes` is the whole file; `file` stands in
+/// messages.
+Header stb_header(const std::filesystem::path& file, std::string_view bytes, const Format& format);
+Image<Rgb> stb_pixels(const std::filesystem::path& file, std::string_view bytes,
+                      const Format& format);
 /// `displayed` is sRGB in 0..1.
 void stb_write(const std::filesystem::path& file, const Format& format,
                ImageView<const Rgb> displayed);

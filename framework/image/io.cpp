@@ -1,6 +1,7 @@
 #include "framework/image/io.h"
 
 #include "framework/base/error.h"
+#include "framework/base/files.h"
 #include "framework/base/text.h"
 #include "framework/image/formats.h"
 
@@ -51,6 +52,15 @@ void check_is_file(const std::filesystem::path& file) {
     }
 }
 
+/// PNG or JPEG, by the first bytes.
+Format format_inside(std::string_view bytes, const std::filesystem::path& name) {
+    const Format format{formats::stb_format_inside(bytes), false};
+    if (format.name == std::string_view("png") || format.name == std::string_view("jpeg")) {
+        return format;
+    }
+    throw Error({name.string()}, "is neither PNG nor JPEG; save the picture as one of them");
+}
+
 template <class Curve>
 Image<Rgb> mapped(Image<Rgb> image, const Curve& curve) {
     for (Rgb& pixel : image.pixels()) pixel = curve(pixel);
@@ -59,7 +69,8 @@ Image<Rgb> mapped(Image<Rgb> image, const Curve& curve) {
 
 }  // namespace
 
-void formats::check_header(const std::filesystem::path& file, const Header& header) {
+void formats::check_header(const std::filesystem::path& file, const Header& header,
+                           std::uintmax_t file_bytes) {
     const auto [width, height] = header.size;
     if (width < 1 || height < 1 || width > max_side || height > max_side) {
         throw Error({file.string()}, fmt::format("is {} x {} pixels; make no side longer than {}",
@@ -69,8 +80,6 @@ void formats::check_header(const std::filesystem::path& file, const Header& head
     // that promises a huge picture is cut off or made to exhaust the memory.
     constexpr std::uintmax_t best_ratio = 4096;
     const std::uintmax_t bytes = header.size.area() * std::max(header.channels, 1);
-    std::error_code ignored;
-    const std::uintmax_t file_bytes = std::filesystem::file_size(file, ignored);
     if (bytes / best_ratio > file_bytes) {
         throw Error({file.string()},
                     fmt::format("promises {} x {} pixels but holds only {} bytes; it is damaged",
@@ -81,17 +90,23 @@ void formats::check_header(const std::filesystem::path& file, const Header& head
 Size picture_size(const std::filesystem::path& file) {
     const Format format = format_of(file, false);
     check_is_file(file);
-    const formats::Header header =
-        format.floating ? formats::oiio_header(file, format) : formats::stb_header(file, format);
-    formats::check_header(file, header);
-    return header.size;
+    if (format.floating) return formats::oiio_header(file, format).size;
+    return formats::stb_header(file, read_text(file), format).size;
 }
 
 Picture read_picture(const std::filesystem::path& file) {
     const Format format = format_of(file, false);
     check_is_file(file);
     if (format.floating) return {formats::oiio_pixels(file, format), Encoding::linear};
-    return {formats::stb_pixels(file, format), Encoding::srgb};
+    return {formats::stb_pixels(file, read_text(file), format), Encoding::srgb};
+}
+
+Size picture_size(std::string_view bytes, const std::filesystem::path& name) {
+    return formats::stb_header(name, bytes, format_inside(bytes, name)).size;
+}
+
+Picture read_picture(std::string_view bytes, const std::filesystem::path& name) {
+    return {formats::stb_pixels(name, bytes, format_inside(bytes, name)), Encoding::srgb};
 }
 
 Image<Rgb> read_linear(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include "framework/math/colour.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace luch {
 
@@ -25,10 +26,15 @@ Size picture_size(const std::filesystem::path& file);
 /// or not a picture.
 Picture read_picture(const std::filesystem::path& file);
 
-/// The same in linear light, whatever the file's encoding.
+/// The same for a PNG or JPEG file in memory (the formats that glTF embeds), told apart by its
+/// first bytes; `name` stands in messages.
+Size picture_size(std::string_view bytes, const std::filesystem::path& name);
+Picture read_picture(std::string_view bytes, const std::filesystem::path& name);
+
+/// A picture file in linear light, whatever its encoding.
 Image<Rgb> read_linear(const std::filesystem::path& file);
 
-/// The same as displayed: sRGB, 0..1; linear files are encoded and clamped.
+/// A picture file as displayed: sRGB, 0..1; linear files are encoded and clamped.
 Image<Rgb> read_displayed(const std::filesystem::path& file);
 
 /// Writes linear light. .exr (half float) and .hdr stay linear; .png, .bmp and .jpg get the sRGB

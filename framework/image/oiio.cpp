@@ -46,8 +46,15 @@ std::unique_ptr<ImageInput> opened(const std::filesystem::path& file, const Form
     return input;
 }
 
+Header checked_header(const std::filesystem::path& file, const ImageSpec& spec) {
+    std::error_code ignored;
+    const Header header = header_of(spec);
+    check_header(file, header, std::filesystem::file_size(file, ignored));
+    return header;
+}
+
 void check_spec(const std::filesystem::path& file, const ImageSpec& spec) {
-    check_header(file, header_of(spec));
+    checked_header(file, spec);
     constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 30;
     if (spec.deep || spec.depth > 1 || spec.nchannels < 1 || spec.image_bytes() > most_bytes) {
         throw Error({file.string()},
@@ -74,7 +81,7 @@ std::vector<float> within_half(ImageView<const Rgb> linear) {
 Header oiio_header(const std::filesystem::path& file, const Format& format) {
     ImageSpec spec;
     opened(file, format, spec);
-    return header_of(spec);
+    return checked_header(file, spec);
 }
 
 Image<Rgb> oiio_pixels(const std::filesystem::path& file, const Format& format) {

@@ -36,7 +36,7 @@ namespace {
 /// A file in memory that notices when the decoder asks for more than there is: stb's own readers
 /// take zeros for the missing bytes of a truncated BMP, TGA or JPEG and say nothing.
 struct Source {
-    std::string bytes;
+    std::string_view bytes;
     std::size_t at = 0;
     bool overrun = false;
 
@@ -68,27 +68,18 @@ struct Source {
 
 constexpr stbi_io_callbacks callbacks{Source::read, Source::skip, Source::at_end};
 
-/// The format that the first bytes tell; TGA has no such mark.
-std::string_view format_inside(std::string_view bytes) {
-    if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return "png";
-    if (bytes.starts_with("\xff\xd8\xff")) return "jpeg";
-    if (bytes.starts_with("BM")) return "bmp";
-    return "tga";
-}
-
-Source opened(const std::filesystem::path& file, const Format& format) {
-    Source source{read_text(file)};
-    if (source.bytes.empty()) throw Error({file.string()}, "is empty; save the picture again");
-    const std::string_view inside = format_inside(source.bytes);
+Source opened(const std::filesystem::path& file, std::string_view bytes, const Format& format) {
+    if (bytes.empty()) throw Error({file.string()}, "is empty; save the picture again");
+    const std::string_view inside = stb_format_inside(bytes);
     if (inside != format.name) {
         const std::string found = inside == "tga" ? "" : fmt::format(" but {}", inside);
         throw Error({file.string()}, fmt::format("is not {}{}; save it as what its ending says",
                                                  format.name, found));
     }
-    if (inside == "jpeg" && !jpeg_tables_fit(source.bytes)) {
+    if (inside == "jpeg" && !jpeg_tables_fit(bytes)) {
         throw Error({file.string()}, "is damaged (bad Huffman table); save it again");
     }
-    return source;
+    return {bytes};
 }
 
 /// A PNG's width or height, big-endian in its header at byte 16 or 20.
@@ -102,10 +93,10 @@ int png_side(std::string_view bytes, std::size_t at) {
 
 Header header_of(const std::filesystem::path& file, const Format& format, Source& source) {
     Header header;
-    if (format_inside(source.bytes) == "png") {
+    if (format.name == std::string_view("png")) {
         // Beyond 2³⁰ bytes stb says no more than "unknown image type".
         header = {{png_side(source.bytes, 16), png_side(source.bytes, 20)}, 1};
-        check_header(file, header);
+        check_header(file, header, source.bytes.size());
     }
     const int known = stbi_info_from_callbacks(&callbacks, &source, &header.size.width,
                                                &header.size.height, &header.channels);
@@ -114,6 +105,7 @@ Header header_of(const std::filesystem::path& file, const Format& format, Source
                                                  "8 bits a channel",
                                                  format.name, stbi_failure_reason()));
     }
+    check_header(file, header, source.bytes.size());
     source.at = 0;
     source.overrun = false;
     return header;
@@ -126,27 +118,34 @@ void append(void* text, void* data, int size) {
 
 }  // namespace
 
-Header stb_header(const std::filesystem::path& file, const Format& format) {
-    Source source = opened(file, format);
+const char* stb_format_inside(std::string_view bytes) {
+    if (bytes.starts_with("\x89PNG\r\n\x1a\n")) return "png";
+    if (bytes.starts_with("\xff\xd8\xff")) return "jpeg";
+    if (bytes.starts_with("BM")) return "bmp";
+    return "tga";
+}
+
+Header stb_header(const std::filesystem::path& file, std::string_view bytes, const Format& format) {
+    Source source = opened(file, bytes, format);
     return header_of(file, format, source);
 }
 
-Image<Rgb> stb_pixels(const std::filesystem::path& file, const Format& format) {
-    Source source = opened(file, format);
+Image<Rgb> stb_pixels(const std::filesystem::path& file, std::string_view bytes,
+                      const Format& format) {
+    Source source = opened(file, bytes, format);
     const Header header = header_of(file, format, source);
-    check_header(file, header);
     Size size;
     int channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> bytes(
+    const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
         stbi_load_from_callbacks(&callbacks, &source, &size.width, &size.height, &channels, 3),
         stbi_image_free);
     if (source.overrun) throw Error({file.string()}, "ends too early; save or copy it again");
-    if (!bytes || size != header.size) {
-        const char* reason = bytes ? "two sizes" : stbi_failure_reason();
+    if (!decoded || size != header.size) {
+        const char* reason = decoded ? "two sizes" : stbi_failure_reason();
         throw Error({file.string()}, fmt::format("is damaged ({}); save it again", reason));
     }
     Image<Rgb> image(size);
-    const stbi_uc* byte = bytes.get();
+    const stbi_uc* byte = decoded.get();
     for (Rgb& pixel : image.pixels()) {
         pixel = Rgb(byte[0], byte[1], byte[2]) / 255.0f;
         byte += 3;

@@ -82,11 +82,9 @@ std::vector<Contender> contenders_of(Own& own, const EmbreeScene* embree, const 
     const bool coherent = !shots.packets.empty();
     for (const std::string& backend : bench.backends) {
         if (backend == "luch") {
-            all.push_back(
-                {backend, "single", [] {}, [&](int i) { shoot_alone(own, shots, i); }});
+            all.push_back({backend, "single", [] {}, [&](int i) { shoot_alone(own, shots, i); }});
             if (!coherent) continue;
-            all.push_back(
-                {backend, "packet", [] {}, [&](int i) { shoot_packets(own, shots, i); }});
+            all.push_back({backend, "packet", [] {}, [&](int i) { shoot_packets(own, shots, i); }});
             continue;
         }
         for (std::size_t mode = 0; mode < embree_mode_names.size(); ++mode) {
@@ -94,8 +92,7 @@ std::vector<Contender> contenders_of(Own& own, const EmbreeScene* embree, const 
                 embree->batch(shots.rays, static_cast<EmbreeMode>(mode), coherent);
             const std::size_t n = shots.rays.size();
             const bool occlusion = shots.occlusion;
-            all.push_back({backend,
-                           std::string(embree_mode_names[mode]),
+            all.push_back({backend, std::string(embree_mode_names[mode]),
                            [batch] { batch->reset(); },
                            [batch, n, occlusion](int i) {
                                const auto first = static_cast<std::size_t>(i) * chunk;
@@ -113,8 +110,9 @@ void race(std::vector<Contender>& contenders, const Own& own, std::size_t rays,
     for (int round = -1; round < bench.rounds; ++round) {  // the first one warms up
         for (Contender& each : contenders) {
             each.reset();
-            const double seconds =
-                seconds_of(bench.threads, [&] { workers.for_each(chunks, [&](int i, int) { each.shoot(i); }); });
+            const double seconds = seconds_of(bench.threads, [&] {
+                workers.for_each(chunks, [&](int i, int) { each.shoot(i); });
+            });
             if (round >= 0) each.seconds.push_back(seconds);
             each.work = {};
             if (each.backend != "luch") continue;
@@ -149,10 +147,9 @@ std::vector<RayKindSpeed> speeds_of(const std::vector<Contender>& contenders,
         if (speeds.empty() || speeds.back().backend != each.backend) {
             speeds.push_back({kind, each.backend, {}, shots.active, 0, 1});
         }
-        speeds.back().modes.push_back(
-            {each.mode, 1e-6 * rays / median(each.seconds),
-             static_cast<double>(each.work.boxes) / rays,
-             static_cast<double>(each.work.primitives) / rays});
+        speeds.back().modes.push_back({each.mode, 1e-6 * rays / median(each.seconds),
+                                       static_cast<double>(each.work.boxes) / rays,
+                                       static_cast<double>(each.work.primitives) / rays});
     }
     return speeds;
 }
@@ -163,12 +160,12 @@ std::vector<double> raced_builds(const Own& own, const Mesh& mesh, const RayBenc
     for (int round = 0; round < 5; ++round) {
         for (std::size_t i = 0; i < ms.size(); ++i) {
             ms[i].push_back(1e3 * cpu_seconds_of([&] {
-                if (bench.backends[i] == "luch") {
-                    build_accelerator(own.scene, bench.isa);
-                } else {
-                    EmbreeScene(mesh, 1, false, bench.isa);
-                }
-            }));
+                                if (bench.backends[i] == "luch") {
+                                    build_accelerator(own.scene, bench.isa);
+                                } else {
+                                    EmbreeScene(mesh, 1, false, bench.isa);
+                                }
+                            }));
         }
     }
     std::vector<double> medians;

@@ -3,27 +3,6 @@
 namespace luch {
 namespace {
 
-/// Where a direction leaves the cube: the side, and s to the right and t down on it, in −1..1.
-struct Spot {
-    CubemapEnvironment::Side side;
-    double s, t;
-};
-
-/// `d` has its largest component, of magnitude 1, on the side's axis. Ties go to x, then y.
-Spot spot_on_cube(const Vec3d& d) {
-    const Vec3d size = glm::abs(d);
-    if (size.x >= size.y && size.x >= size.z) {
-        return d.x < 0 ? Spot{CubemapEnvironment::neg_x, d.z, -d.y}
-                       : Spot{CubemapEnvironment::pos_x, -d.z, -d.y};
-    }
-    if (size.y >= size.z) {
-        return d.y < 0 ? Spot{CubemapEnvironment::neg_y, d.x, -d.z}
-                       : Spot{CubemapEnvironment::pos_y, d.x, d.z};
-    }
-    return d.z < 0 ? Spot{CubemapEnvironment::neg_z, d.x, d.y}
-                   : Spot{CubemapEnvironment::pos_z, d.x, -d.y};
-}
-
 /// Bilinear; (−1, −1) is the centre of the top-left pixel, (1, 1) that of the bottom-right one.
 Rgb sampled(const Image<Rgb>& image, double s, double t) {
     if (image.size().area() == 0) return Rgb(0);
@@ -41,11 +20,41 @@ Rgb sampled(const Image<Rgb>& image, double s, double t) {
 
 }  // namespace
 
+CubePoint cube_point(const Vec3d& direction) {
+    const Vec3d d = direction / max_norm(direction);
+    const Vec3d size = glm::abs(d);
+    if (size.x >= size.y && size.x >= size.z) {
+        return d.x < 0 ? CubePoint{CubePoint::neg_x, d.z, -d.y}
+                       : CubePoint{CubePoint::pos_x, -d.z, -d.y};
+    }
+    if (size.y >= size.z) {
+        return d.y < 0 ? CubePoint{CubePoint::neg_y, d.x, -d.z}
+                       : CubePoint{CubePoint::pos_y, d.x, d.z};
+    }
+    return d.z < 0 ? CubePoint{CubePoint::neg_z, d.x, d.y} : CubePoint{CubePoint::pos_z, d.x, -d.y};
+}
+
+Vec3d CubePoint::direction() const {
+    switch (side) {
+        case neg_x:
+            return {-1, -t, s};
+        case pos_x:
+            return {1, -t, -s};
+        case neg_y:
+            return {s, -1, -t};
+        case pos_y:
+            return {s, 1, t};
+        case neg_z:
+            return {s, t, -1};
+        default:
+            return {s, -t, 1};
+    }
+}
+
 Rgb CubemapEnvironment::radiance(const Vec3d& direction) const {
-    const double size = max_norm(direction);
-    if (!(size > 0) || !all_finite(direction)) return Rgb(0);
-    const Spot spot = spot_on_cube(direction / size);
-    return sampled(sides[spot.side], spot.s, spot.t);
+    if (!(max_norm(direction) > 0) || !all_finite(direction)) return Rgb(0);
+    const CubePoint point = cube_point(direction);
+    return sampled(sides[point.side], point.s, point.t);
 }
 
 }  // namespace luch

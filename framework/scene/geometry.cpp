@@ -21,6 +21,32 @@ Boxd box_of(const Mesh& mesh) {
     }
     return box;
 }
+Boxd box_of(const Heightfield& field) {
+    const auto [lo, hi] = field.range(field.top_level(), 0, 0);
+    return {{0, lo, 0}, {field.width(), hi, field.height()}};
+}
+Boxd box_of(const Csg& csg) {
+    return csg.bounds;
+}
+
+std::uint32_t primitives_of(const Plane&) {
+    return 1;
+}
+std::uint32_t primitives_of(const Sphere&) {
+    return 1;
+}
+std::uint32_t primitives_of(const Cube&) {
+    return 6;
+}
+std::uint32_t primitives_of(const Mesh& mesh) {
+    return static_cast<std::uint32_t>(mesh.triangles.size());
+}
+std::uint32_t primitives_of(const Heightfield& field) {
+    return field.primitive(field.width() - 1, field.height() - 1, 1) + 1;
+}
+std::uint32_t primitives_of(const Csg& csg) {
+    return csg.primitives;
+}
 
 }  // namespace
 
@@ -38,6 +64,10 @@ void set_positions(Mesh& mesh, const std::vector<Vec3d>& positions) {
 
 Boxd bounds_of(const Geometry& geometry) {
     return std::visit([](const auto& shape) { return box_of(shape); }, geometry);
+}
+
+std::uint32_t primitive_count(const Geometry& geometry) {
+    return std::visit([](const auto& shape) { return primitives_of(shape); }, geometry);
 }
 
 }  // namespace luch

@@ -2,6 +2,8 @@
 
 #include "framework/math/bounds.h"
 #include "framework/math/transform.h"
+#include "framework/scene/csg.h"
+#include "framework/scene/heightfield.h"
 
 #include <array>
 #include <cstdint>
@@ -10,9 +12,6 @@
 #include <vector>
 
 namespace luch {
-
-/// Index into Scene::geometries.
-using GeometryId = std::uint32_t;
 
 /// The plane y = const, or the square of it with |x|, |z| ≤ limit.
 struct Plane {
@@ -44,6 +43,9 @@ struct Mesh {
     std::vector<Vec3> normals;    ///< unit length
     std::vector<Vec2> uvs;
     std::vector<Triangle> triangles;
+    /// Of each triangle, where the mesh's file has materials of its own (glTF); else empty. Seen
+    /// only by nodes that ask for them: materials_of_file.
+    std::vector<std::uint32_t> materials;
     Transform from_frame;
     bool faceted = false;
     bool cull_backfaces = false;
@@ -61,9 +63,18 @@ struct Mesh {
 /// Moves the positions (in the file's coordinates, double) into the mesh's own frame.
 void set_positions(Mesh& mesh, const std::vector<Vec3d>& positions);
 
-using Geometry = std::variant<Plane, Sphere, Cube, Mesh>;
+using Geometry = std::variant<Plane, Sphere, Cube, Mesh, Heightfield, Csg>;
 
 /// In the coordinates that a node's to_world starts from (a mesh's own frame, else the file's).
 Boxd bounds_of(const Geometry& geometry);
+
+/// Hit::primitive of a geometry is below this.
+std::uint32_t primitive_count(const Geometry& geometry);
+
+/// The solid of two geometries, which may be solids too; they must stand in `geometries`. Throws
+/// std::length_error when it unfolds to more than Csg::most_parts parts, or to more primitives than
+/// a Hit can count.
+Csg make_csg(Csg::Operation operation, GeometryId left, GeometryId right,
+             const std::vector<Geometry>& geometries);
 
 }  // namespace luch

@@ -9,7 +9,7 @@ NodeId add_node(Scene& scene, std::string name, GeometryId geometry, MaterialId 
         to_world = mesh->from_frame.then(file_to_world);
     }
     scene.nodes.push_back(
-        {std::move(name), geometry, material, bump, to_world, to_world.inverse()});
+        {std::move(name), geometry, material, bump, false, to_world, to_world.inverse()});
     return static_cast<NodeId>(scene.nodes.size() - 1);
 }
 
@@ -24,8 +24,16 @@ void add_rect_light(Scene& scene, std::string name, const RectLight& light) {
              static_cast<MaterialId>(scene.materials.size() - 1), light.to_world);
 }
 
+const Material& material_of(const Scene& scene, const Hit& hit) {
+    const Node& node = scene.nodes[hit.node];
+    if (node.material != materials_of_file) return scene.materials[node.material];
+    const auto& mesh = std::get<Mesh>(scene.geometries[node.geometry]);
+    return scene.materials[mesh.materials[hit.primitive]];
+}
+
 Rgb sky_radiance(const Scene& scene, const Vec3d& direction) {
-    return scene.environment ? scene.environment->radiance(direction) : scene.settings.background;
+    if (!scene.environment) return scene.settings.background;
+    return std::visit([&](const auto& sky) { return sky.radiance(direction); }, *scene.environment);
 }
 
 }  // namespace luch

@@ -19,8 +19,9 @@ namespace luch {
 struct Node {
     std::string name;
     GeometryId geometry = 0;
-    MaterialId material = 0;
+    MaterialId material = 0;  ///< may be materials_of_file: ask material_of()
     TextureId bump = no_texture;
+    bool moving = false;  ///< said by the scene, for techniques that keep what stands still
     Transform to_world;   ///< from the geometry's coordinates (a mesh's own frame included)
     Transform to_object;  ///< its inverse
 };
@@ -34,7 +35,7 @@ struct Scene {
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Light> lights;
-    std::optional<CubemapEnvironment> environment;
+    std::optional<Environment> environment;
     std::vector<Node> nodes;  ///< only what is drawn; a NodeId is an index into this
 };
 
@@ -45,6 +46,10 @@ NodeId add_node(Scene& scene, std::string name, GeometryId geometry, MaterialId 
 
 /// Adds a rect light and the node that is its visible face.
 void add_rect_light(Scene& scene, std::string name, const RectLight& light);
+
+/// The material of what a ray met: the node's, or that of the triangle in the mesh's file. The only
+/// way to find it.
+const Material& material_of(const Scene& scene, const Hit& hit);
 
 /// Light that the sky sends from a direction: the environment's, else the background colour.
 Rgb sky_radiance(const Scene& scene, const Vec3d& direction);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -12,6 +13,8 @@ struct Budget {
     std::optional<double> deadline_ms = std::nullopt;
     /// False: every stage of the plan is run, needed or not.
     bool skip = true;
+    /// Told how much of a frame is done, 0..1, by techniques that may take long; from one thread.
+    std::function<void(double)> on_part = nullptr;
 };
 
 }  // namespace luch

@@ -1,5 +1,7 @@
 #include "framework/technique/context.h"
 
+#include <array>
+
 namespace luch {
 
 Context::Context(const Accelerator& accelerator, const Workers& workers, Plan plan,
@@ -10,8 +12,27 @@ Context::Context(const Accelerator& accelerator, const Workers& workers, Plan pl
       cancel_(cancel),
       tracers_(static_cast<std::size_t>(workers.count()), Tracer(accelerator)) {}
 
-void Context::for_each_tile(Size size, const std::function<void(Tile, int)>& work, int side) const {
-    workers_->for_each_tile(size, side, work, cancel_);
+void Context::for_each_tile(Size size, const std::function<void(Tile, int)>& work, int side) {
+    if (!watch_ || size != watched_frame_) {
+        return workers_->for_each_tile(size, side, work, cancel_);
+    }
+    const auto watched = [&](Tile tile, int worker) { watched_tile(tile, worker, work); };
+    workers_->for_each_tile(size, side, watched, cancel_);
+}
+
+void Context::watched_tile(Tile tile, int worker, const std::function<void(Tile, int)>& work) {
+    const int x = watch_->x, y = watch_->y;
+    if (x < tile.x0 || x >= tile.x1 || y < tile.y0 || y >= tile.y1) return work(tile, worker);
+    const std::array<Tile, 4> around{Tile{tile.x0, tile.y0, tile.x1, y},
+                                     {tile.x0, y, x, y + 1},
+                                     {x + 1, y, tile.x1, y + 1},
+                                     {tile.x0, y + 1, tile.x1, tile.y1}};
+    for (const Tile& part : around) {
+        if (part.area() > 0) work(part, worker);
+    }
+    tracer(worker).record(watch_->log);
+    work({x, y, x + 1, y + 1}, worker);
+    tracer(worker).record(nullptr);
 }
 
 void Context::for_each(int n, const std::function<void(int, int)>& work) const {

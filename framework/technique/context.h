@@ -8,12 +8,19 @@
 
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace luch {
+
+/// A pixel of the frame whose rays are recorded.
+struct Watch {
+    int x = 0, y = 0;
+    RayLog* log = nullptr;
+};
 
 /// What a technique may use while it makes a frame: plan, budget, threads, and tracers that count.
 class Context {
@@ -30,8 +37,16 @@ class Context {
     /// Tiles of 16 × 16 pixels unless told otherwise.
     static constexpr int tile_side = 16;
     void for_each_tile(Size size, const std::function<void(Tile, int worker)>& work,
-                       int side = tile_side) const;
+                       int side = tile_side);
     void for_each(int n, const std::function<void(int i, int worker)>& work) const;
+
+    /// From now on, the tile of a frame of this size that holds the pixel is cut so that the pixel
+    /// is a tile of its own, and what is shot there is recorded. Any tiling gives the same bits, so
+    /// the picture is the same.
+    void watch(const Watch& watch, Size frame) {
+        watch_ = watch;
+        watched_frame_ = frame;
+    }
 
     /// The counts of all tracers since the last call.
     Counts take_counts();
@@ -51,7 +66,11 @@ class Context {
     Plan plan_;
     Budget budget_;
     const CancelToken* cancel_;
+    void watched_tile(Tile tile, int worker, const std::function<void(Tile, int)>& work);
+
     std::vector<Tracer> tracers_;
+    std::optional<Watch> watch_;
+    Size watched_frame_;
     std::mutex mutex_;
     std::set<std::string> unwritten_;
 };

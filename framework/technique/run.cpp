@@ -1,6 +1,7 @@
 #include "framework/technique/run.h"
 
-#include "framework/technique/context.h"
+#include "framework/technique/stereo.h"
+#include "framework/trace/focus.h"
 
 #include <chrono>
 #include <ctime>
@@ -36,10 +37,9 @@ int frames_worth(int asked, double first_ms) {
     return first_ms > 2'000 ? std::min(asked, 3) : asked;
 }
 
-}  // namespace
-
-Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const Budget& budget,
-            Repeat repeat, const CancelToken* cancel) {
+/// With one eye.
+Outcome run_once(Technique& technique, const Studio& studio, const Shot& shot, const Budget& budget,
+                 Repeat repeat, const CancelToken* cancel, const std::optional<Watch>& watch) {
     Outcome outcome;
     outcome.plan = technique.plan(studio.scene, shot);
     if (!budget.skip) outcome.plan.need_all();
@@ -47,6 +47,7 @@ Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const 
     if (!outcome.plan.applies) return outcome;
 
     Context context(studio.accelerator, studio.workers, outcome.plan, budget, cancel);
+    if (watch) context.watch(*watch, shot.size);
     outcome.frame = Frame(shot.size);
     const Stopwatch preparing;
     technique.prepare(studio.scene, shot, context);
@@ -70,6 +71,26 @@ Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const 
     outcome.non_finite = non_finite_pixels(outcome.frame.colour.view());
     outcome.unwritten.assign(context.unwritten().begin(), context.unwritten().end());
     outcome.bytes = studio.accelerator.bytes();
+    return outcome;
+}
+
+}  // namespace
+
+Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const Budget& budget,
+            Repeat repeat, const CancelToken* cancel, const std::optional<Watch>& watch) {
+    Tracer autofocus(studio.accelerator);
+    Shot focused_shot = shot;
+    focused_shot.camera = focused(shot.camera, autofocus);
+    const auto seen_by = [&](const Camera& camera) {
+        Shot eye = focused_shot;
+        eye.camera = camera;
+        return run_once(technique, studio, eye, budget, repeat, cancel, watch);
+    };
+    const Camera& camera = focused_shot.camera;
+    const bool stereo = camera.stereo_separation != 0;
+    Outcome outcome = seen_by(stereo ? camera.left_eye() : camera);
+    if (stereo) outcome = stereo_outcome(std::move(outcome), seen_by(camera.right_eye()));
+    outcome.counts += autofocus.counts();
     return outcome;
 }
 

@@ -3,6 +3,7 @@
 #include "framework/accel/accelerator.h"
 #include "framework/parallel/workers.h"
 #include "framework/technique/budget.h"
+#include "framework/technique/context.h"
 #include "framework/technique/outcome.h"
 #include "framework/technique/technique.h"
 
@@ -24,7 +25,12 @@ struct Repeat {
 
 /// Plans, prepares and renders. The only place that takes time. When the plan does not apply,
 /// nothing is rendered: Outcome::plan says why and the frame is empty.
+///
+/// A camera with autoFocus is focused first (a ray more in the counts). One with a stereo
+/// separation is two: the technique makes a whole run for each eye, left then right, and the
+/// picture is an anaglyph. `watch`: records the rays of one pixel, of all frames made.
 Outcome run(Technique& technique, const Studio& studio, const Shot& shot, const Budget& budget = {},
-            Repeat repeat = {}, const CancelToken* cancel = nullptr);
+            Repeat repeat = {}, const CancelToken* cancel = nullptr,
+            const std::optional<Watch>& watch = std::nullopt);
 
 }  // namespace luch

@@ -2,6 +2,7 @@
 
 #include "framework/accel/accelerator.h"
 #include "framework/trace/counts.h"
+#include "framework/trace/ray_log.h"
 
 #include <span>
 
@@ -12,7 +13,8 @@ class Tracer {
  public:
     explicit Tracer(const Accelerator& accelerator) : accelerator_(&accelerator) {}
 
-    /// The nearest hit of every ray.
+    /// The nearest hit of every ray. Many rays of one origin go in packets, which are quick when
+    /// each sixteen of them are neighbours: blocks of 4 × 4 pixels. The answers are the same.
     void closest(RayKind kind, std::span<const Ray> rays, std::span<Hit> hits);
     [[nodiscard]] Hit closest(RayKind kind, const Ray& ray);
 
@@ -26,9 +28,18 @@ class Tracer {
 
     [[nodiscard]] Counts& counts() { return counts_; }
 
+    /// Records every ray from now on; null, as at first: none. An object test that hits is recorded
+    /// as the primary ray that it stands for. What is recorded changes neither answers nor counts.
+    void record(RayLog* log) { log_ = log; }
+    [[nodiscard]] RayLog* log() const { return log_; }
+
  private:
+    void closest_in_packets(std::span<const Ray> rays, std::span<Hit> hits);
+    void record_shadows(RayKind kind, std::span<const Ray> rays,
+                        std::span<const std::uint8_t> blocked) const;
     const Accelerator* accelerator_;
     Counts counts_;
+    RayLog* log_ = nullptr;
 };
 
 }  // namespace luch

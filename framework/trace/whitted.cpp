@@ -1,55 +1,13 @@
 #include "framework/trace/whitted.h"
 
+#include "framework/trace/light_sample.h"
+#include "framework/trace/optics.h"
+
 namespace luch {
 namespace {
 
 /// What random numbers are drawn for: the branches of a surface point's key.
-enum Purpose : std::uint64_t { lights, reflection, layers, jitter };
-
-Vec3d mirrored(const Vec3d& direction, const Vec3d& normal) {
-    return direction - 2 * glm::dot(direction, normal) * normal;
-}
-
-/// A point that a light shines from, and what it sends to a surface point when nothing is between.
-struct LightSample {
-    Vec3d position;
-    Rgb irradiance;  ///< on a surface that faces it; divided by the number of samples
-    Rgb highlight;   ///< the light's colour, for Phong; divided by the number of samples
-};
-
-/// The light's square is cut into cells, with one jittered point in each.
-LightSample sample_of(const RectLight& light, int cell, Key key, const Vec3d& target) {
-    const int column = cell % light.x_samples, row = cell / light.x_samples;
-    const Vec2d inside = key.square(cell);
-    const double x = (column + inside.x) / light.x_samples - 0.5;
-    const double z = (row + inside.y) / light.y_samples - 0.5;
-    const double orientation = glm::determinant(light.to_world.matrix) < 0 ? -1 : 1;
-    const Vec3d facing =
-        orientation * glm::normalize(glm::cross(light.to_world.direction({1, 0, 0}),
-                                                light.to_world.direction({0, 0, 1})));
-    // Lifted off the light's own visible face, which would block half of the rays by rounding.
-    Vec3d position = light.to_world.point({x, 0, z});
-    position += 0x1p-44 * (max_norm(position) + max_norm(light.to_world.matrix)) * facing;
-    const Vec3d to_target = target - position;
-    const double distance = glm::length(to_target);
-    const double cosine = std::max(0.0, glm::dot(facing, to_target) / distance);
-    const float share = 1.0f / static_cast<float>(light.x_samples * light.y_samples);
-    const auto strength = static_cast<float>(light.power * cosine / (distance * distance));
-    return {position, light.color * (strength * share), cosine > 0 ? light.color * share : Rgb(0)};
-}
-
-LightSample sample_of(const PointLight& light, int, Key, const Vec3d& target) {
-    const Vec3d to_target = target - light.position;
-    const auto strength = static_cast<float>(light.power / glm::dot(to_target, to_target));
-    return {light.position, light.color * strength, light.color};
-}
-
-int sample_count(const PointLight&) {
-    return 1;
-}
-int sample_count(const RectLight& light) {
-    return light.x_samples * light.y_samples;
-}
+enum Purpose : std::uint64_t { lights, reflection, layers, jitter, refraction };
 
 }  // namespace
 
@@ -62,9 +20,10 @@ struct MaterialShader {
     RayKind kind;
     Key key;
     int depth;
+    const Refraction* medium;  ///< what the ray came through; null: nothing
 
     Rgb operator()(const Lambert& material) const {
-        const auto no_highlight = [](const Vec3d&) { return 0.0f; };
+        const auto no_highlight = [](const Vec3d&) { return Rgb(0); };
         return lit(albedo(material.color, material.texture), no_highlight);
     }
 
@@ -73,7 +32,7 @@ struct MaterialShader {
         return lit(albedo(material.color, material.texture), [&](const Vec3d& to_light) {
             const Vec3d bounced = mirrored(-to_light, surface.normal);
             const double cosine = std::max(0.0, glm::dot(bounced, to_viewer));
-            return static_cast<float>(material.specular * std::pow(cosine, material.exponent));
+            return material.specular * static_cast<float>(std::pow(cosine, material.exponent));
         });
     }
 
@@ -84,7 +43,7 @@ struct MaterialShader {
             return material.multiplier *
                    tracer.radiance(RayKind::reflection,
                                    leaving(surface, mirrored(ray.direction, surface.normal)),
-                                   bounce, depth + 1);
+                                   bounce, depth + 1, medium);
         }
         // A glossy reflection in a glossy reflection takes one ray, or their number would explode.
         const int count = kind == RayKind::glossy ? 1 : material.samples;
@@ -93,9 +52,19 @@ struct MaterialShader {
         for (int i = 0; i < count; ++i) {
             const Key sample = bounce.branch(i);
             sum += tracer.radiance(RayKind::glossy, leaving(surface, glossy(radius, sample)),
-                                   sample, depth + 1);
+                                   sample, depth + 1, medium);
         }
         return material.multiplier * sum / static_cast<float>(count);
+    }
+
+    Rgb operator()(const Refraction& material) const {
+        if (material.multiplier == Rgb(0)) return Rgb(0);
+        const double ratio = surface.front ? 1 / material.ior : material.ior;
+        const auto bent = refracted(glm::normalize(ray.direction), surface.normal, ratio);
+        if (!bent) return Rgb(0);
+        return material.multiplier * tracer.radiance(RayKind::refraction, leaving(surface, *bent),
+                                                     key.branch(refraction), depth + 1,
+                                                     surface.front ? &material : nullptr);
     }
 
     Rgb operator()(const Layered& material) const {
@@ -105,7 +74,7 @@ struct MaterialShader {
             const Rgb blend = albedo(layer.blend, layer.texture);
             if (blend == Rgb(0)) continue;
             const MaterialShader below{
-                tracer, scene, surface, ray, kind, key.branch(layers).branch(i), depth};
+                tracer, scene, surface, ray, kind, key.branch(layers).branch(i), depth, medium};
             colour = colour * (Rgb(1) - blend) +
                      std::visit(below, scene.materials[layer.material]) * blend;
         }
@@ -120,7 +89,9 @@ struct MaterialShader {
 
  private:
     Rgb albedo(const Rgb& color, TextureId texture) const {
-        return texture == no_texture ? color : colour_at(scene.textures[texture], surface.uv);
+        if (texture == no_texture) return color;
+        const double cosine = glm::dot(surface.normal, ray.direction) / glm::length(ray.direction);
+        return colour_at(scene.textures[texture], {surface.uv, cosine});
     }
 
     /// A mirrored direction around a normal that is jittered on a disc; those below the surface are
@@ -149,15 +120,11 @@ struct MaterialShader {
         ++tracer.tracer_->counts().shades;
         Rgb diffuse = scene.settings.ambient_light, specular(0);
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            std::visit(
-                [&](const auto& light) {
-                    const Key light_key = key.branch(lights).branch(i);
-                    for (int s = 0; s < sample_count(light); ++s) {
-                        const LightSample sample = sample_of(light, s, light_key, surface.position);
-                        add_light(sample, highlight, diffuse, specular);
-                    }
-                },
-                scene.lights[i]);
+            const Key light_key = key.branch(lights).branch(i);
+            for (int s = 0; s < sample_count(scene.lights[i]); ++s) {
+                const LightSample sample = sample_of(scene.lights[i], s, light_key, surface);
+                add_light(sample, highlight, diffuse, specular);
+            }
         }
         return albedo * diffuse + specular;
     }
@@ -165,30 +132,34 @@ struct MaterialShader {
     template <class Highlight>
     void add_light(const LightSample& sample, Highlight&& highlight, Rgb& diffuse,
                    Rgb& specular) const {
-        const Vec3d to_light = sample.position - surface.position;
-        const double distance = glm::length(to_light);
-        const double cosine = distance > 0 ? glm::dot(surface.normal, to_light) / distance : 0;
+        const double cosine = glm::dot(surface.normal, sample.to_light);
         const bool dark =
             !(cosine > 0) || (sample.irradiance == Rgb(0) && sample.highlight == Rgb(0));
         if (dark && !tracer.needs_.dark_shadow_rays) return;
-        const bool blocked =
-            tracer.tracer_->occluded(RayKind::shadow, shadow_ray(surface, sample.position));
+        const bool blocked = tracer.tracer_->occluded(RayKind::shadow, sample.shadow);
         if (dark || blocked) return;
         diffuse += sample.irradiance * static_cast<float>(cosine);
-        specular += sample.highlight * highlight(to_light / distance);
+        specular += sample.highlight * highlight(sample.to_light);
     }
 };
 
-Rgb Whitted::radiance(RayKind kind, const Ray& ray, Key key, int depth) const {
+Rgb Whitted::radiance(RayKind kind, const Ray& ray, Key key, int depth,
+                      const Refraction* medium) const {
     if (depth > scene_->settings.max_depth) return Rgb(0);
-    return shade(kind, ray, tracer_->closest(kind, ray), key, depth);
+    const Hit hit = tracer_->closest(kind, ray);
+    const Rgb light = shade(kind, ray, hit, key, depth, medium);
+    if (!medium || !hit) return light;
+    return light * medium->transmittance(hit.t * glm::length(ray.direction));
 }
 
-Rgb Whitted::shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth) const {
+Rgb Whitted::shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth,
+                   const Refraction* medium) const {
     if (!hit) return sky_radiance(*scene_, ray.direction);
+    RayLog::Branch branch(tracer_->log());
+    branch.follow();
     const Surface surface = surface_at(*scene_, ray, hit, needs_.surface);
-    const Material& material = scene_->materials[scene_->nodes[hit.node].material];
-    return std::visit(MaterialShader{*this, *scene_, surface, ray, kind, key, depth}, material);
+    return std::visit(MaterialShader{*this, *scene_, surface, ray, kind, key, depth, medium},
+                      material_of(*scene_, hit));
 }
 
 }  // namespace luch

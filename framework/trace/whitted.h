@@ -16,18 +16,21 @@ struct WhittedNeeds {
 };
 
 /// The classic recursive ray tracer (Whitted, "An Improved Illumination Model for Shaded Display",
-/// 1980): closest hit, direct light with shadow rays, mirrors, to the scene's depth limit.
+/// 1980): closest hit, direct light with shadow rays, mirrors and
+/// clear things, to the scene's depth limit.
 class Whitted {
  public:
     Whitted(const Scene& scene, const WhittedNeeds& needs, Tracer& tracer)
         : scene_(&scene), needs_(needs), tracer_(&tracer) {}
 
-    /// Light that comes back along a ray.
-    [[nodiscard]] Rgb radiance(RayKind kind, const Ray& ray, Key key, int depth = 0) const;
+    /// Light that comes back along a ray. `medium` is what the ray runs through, where light fades;
+    /// null: nothing. A camera within a medium is not known to be there.
+    [[nodiscard]] Rgb radiance(RayKind kind, const Ray& ray, Key key, int depth = 0,
+                               const Refraction* medium = nullptr) const;
 
     /// The same, when the hit is known already (from a tile of primary rays, an item buffer…).
-    [[nodiscard]] Rgb shade(RayKind kind, const Ray& ray, const Hit& hit, Key key,
-                            int depth = 0) const;
+    [[nodiscard]] Rgb shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth = 0,
+                            const Refraction* medium = nullptr) const;
 
  private:
     friend struct MaterialShader;

@@ -41,7 +41,10 @@ Camera turned(const Camera& camera, const Vec2d& drag_px, double degrees_per_px)
 
 double degrees_per_px(const Camera& camera, int width_px) {
     const double half_width = Screen(camera, {1, 1}).half_width();
-    return 2 * std::atan(half_width) * 180 / std::numbers::pi / std::max(1, width_px);
+    double half_angle = half_width;  // of a fisheye and a spherical camera
+    if (camera.projection == Projection::perspective) half_angle = std::atan(half_width);
+    if (camera.projection == Projection::orthographic) half_angle = std::numbers::pi / 4;
+    return 2 * half_angle * 180 / std::numbers::pi / std::max(1, width_px);
 }
 
 double flying_speed(const Scene& scene) {

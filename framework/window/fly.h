@@ -14,7 +14,8 @@ Camera flown(const Camera& camera, const FlyKeys& keys, double distance);
 /// pitch stays within ±90°, the yaw within ±180°. `degrees_per_px` > 0.
 Camera turned(const Camera& camera, const Vec2d& drag_px, double degrees_per_px);
 
-/// Turning by this makes a drag across the whole frame cover its field of view from left to right.
+/// Turning by this makes a drag across the whole frame cover its field of view from left to right;
+/// where there is none (orthographic), a right angle.
 double degrees_per_px(const Camera& camera, int width_px);
 
 /// A speed that suits a scene, in world units a second: a quarter of the typical distance from the

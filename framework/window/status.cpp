@@ -43,9 +43,12 @@ std::vector<std::string> help_lines() {
 }
 
 std::string camera_text(const Camera& camera) {
-    return fmt::format("{},{},{},{},{},{},{}", camera.position.x, camera.position.y,
-                       camera.position.z, camera.yaw_deg, camera.pitch_deg, camera.roll_deg,
-                       camera.fov_deg);
+    const std::string place =
+        fmt::format("{},{},{},{},{},{}", camera.position.x, camera.position.y, camera.position.z,
+                    camera.yaw_deg, camera.pitch_deg, camera.roll_deg);
+    const bool has_fov =
+        camera.projection == Projection::perspective || camera.projection == Projection::fisheye;
+    return has_fov ? fmt::format("{},{}", place, camera.fov_deg) : place;
 }
 
 std::string camera_line(const Camera& camera, double speed) {

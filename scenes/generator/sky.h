@@ -12,4 +12,7 @@ namespace luch::assets {
 /// asks for ("negx" …), sRGB. The glow lies towards +z.
 std::vector<std::pair<std::string, IndexedImage>> evening_sky(int side_px);
 
+/// The same for a fair day: haze at the horizon, blue above, and white clouds in a flat layer.
+std::vector<std::pair<std::string, IndexedImage>> fair_sky(int side_px);
+
 }  // namespace luch::assets

@@ -48,6 +48,16 @@ std::size_t crossing_nodes(const Scene& scene, const Screen& screen) {
     });
 }
 
+/// Triangles of all meshes, once for every node that shows them.
+std::uint64_t instanced_triangles(const Scene& scene) {
+    std::uint64_t count = 0;
+    for (const Node& node : scene.nodes) {
+        const auto* mesh = std::get_if<Mesh>(&scene.geometries[node.geometry]);
+        if (mesh != nullptr) count += mesh->triangles.size();
+    }
+    return count;
+}
+
 Stage lod_stage(const Scene& scene, const Params& params) {
     const std::size_t spheres = nodes_with<Sphere>(scene);
     if (params.segments != 0) {
@@ -75,6 +85,18 @@ Stage sort_stage(const Scene& scene, const Params& params) {
                       : "there is nothing for one node to hide (the depth plane is not sorted)"};
 }
 
+/// A solid that the sides of its box cannot stand for.
+const Node* boundless_solid(const Scene& scene) {
+    for (const Node& node : scene.nodes) {
+        const auto* csg = std::get_if<Csg>(&scene.geometries[node.geometry]);
+        if (csg && !csg->bounds.empty() &&
+            !(all_finite(csg->bounds.lo) && all_finite(csg->bounds.hi))) {
+            return &node;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 float radius_px(const Scene& scene, const Node& node, const Screen& screen) {
@@ -95,7 +117,13 @@ float radius_px(const Scene& scene, const Node& node, const Screen& screen) {
 }
 
 Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
-    if (shot.camera.depth_of_field) {
+    if (shot.camera.projection != Projection::perspective) {
+        return {false,
+                "the camera is not perspective: only there are the edges of triangles straight on "
+                "the screen, and their rays from one point",
+                {}};
+    }
+    if (shot.camera.has_lens()) {
         return {
             false,
             "depth of field: rays leave from all over the lens, the buffer is seen from one point",
@@ -106,6 +134,20 @@ Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
                 fmt::format("{} samples a pixel: the buffer knows what the pixels' centres see",
                             shot.spp),
                 {}};
+    }
+    constexpr std::uint64_t most_triangles = 1 << 23;
+    if (const std::uint64_t count = instanced_triangles(scene); count > most_triangles) {
+        return {false,
+                fmt::format("{} triangles, instances counted: the buffer holds each of them, and "
+                            "more than {} are too many",
+                            count, most_triangles),
+                {}};
+    }
+    if (const Node* node = boundless_solid(scene)) {
+        return {
+            false,
+            fmt::format("the solid \"{}\" has no end: no triangles can stand for it", node->name),
+            {}};
     }
     const Screen screen(shot.camera, shot.size);
     Plan plan{true, "one object test a covered pixel instead of a search", {}};

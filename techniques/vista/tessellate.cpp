@@ -56,10 +56,10 @@ void add(Triangles& triangles, const Plane& plane, int) {
 }
 
 /// Two triangles a face; bit k of a corner's number says on which side of axis k it lies.
-void add(Triangles& triangles, const Cube& cube, int) {
+void add_box(Triangles& triangles, const Boxd& box) {
     const auto corner = [&](int bits) {
-        const Vec3d side{bits & 1 ? 1 : -1, bits & 2 ? 1 : -1, bits & 4 ? 1 : -1};
-        return Corner{cube.centre + cube.side / 2 * side};
+        return Corner{{bits & 1 ? box.hi.x : box.lo.x, bits & 2 ? box.hi.y : box.lo.y,
+                       bits & 4 ? box.hi.z : box.lo.z}};
     };
     for (int axis = 0; axis < 3; ++axis) {
         const int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;
@@ -70,12 +70,34 @@ void add(Triangles& triangles, const Cube& cube, int) {
     }
 }
 
+void add(Triangles& triangles, const Cube& cube, int) {
+    add_box(triangles, bounds_of(cube));
+}
+
 void add(Triangles& triangles, const Mesh& mesh, int) {
     triangles.reserve(mesh.triangles.size());
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto corner = [&](int k) { return Corner{Vec3d(mesh.corner(i, k))}; };
         add(triangles, corner(0), corner(1), corner(2));
     }
+}
+
+void add(Triangles& triangles, const Heightfield& field, int) {
+    triangles.reserve(primitive_count(field));
+    const auto at = [&](int x, int z) { return Corner{Vec3d(x, field.at(x, z), z)}; };
+    for (int z = 0; z < field.height(); ++z) {
+        for (int x = 0; x < field.width(); ++x) {
+            add(triangles, at(x, z), at(x + 1, z), at(x, z + 1));
+            add(triangles, at(x + 1, z), at(x + 1, z + 1), at(x, z + 1));
+        }
+    }
+}
+
+/// A solid has no triangles of its own: the sides of its box stand for it. Rays that meet the box
+/// and not the solid fall back.
+void add(Triangles& triangles, const Csg& csg, int) {
+    if (csg.bounds.empty()) return;
+    add_box(triangles, csg.bounds);
 }
 
 }  // namespace

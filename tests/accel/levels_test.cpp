@@ -143,6 +143,36 @@ TEST_P(Levels, AgreeOnTriangleSoupAndOnDuplicates) {
     EXPECT_GT(hits, 2000);
 }
 
+TEST_P(Levels, LeaveNoGapInAClosedMeshNearOrFarFromTheOrigin) {
+    for (const Vec3d& centre : {Vec3d(0), Vec3d(148376, 1234, -223423)}) {
+        Scene scene = testing::empty_scene();
+        testing::add(scene, testing::uv_sphere(20, 30, 1), Lambert{},
+                     Transform::translation(centre));
+        const auto accelerator = build_accelerator(scene, GetParam());
+        WorkCounts work;
+        HitPacket hits;
+        std::array<std::uint8_t, RayPacket::capacity> blocked;
+        for (int i = 0; i < 120; ++i) {
+            const Key key = Key(23).branch(i);
+            RayPacket rays;
+            rays.origin = centre + random_point(key.branch(0), 0.4);
+            for (int r = 0; r < RayPacket::capacity; ++r) {
+                const Key own = key.branch(r + 1);
+                const Vec3d to =
+                    i % 3 == 0 ? random_point(own, 1) : awkward_point(scene, own) - rays.origin;
+                rays.add(to, std::numeric_limits<float>::infinity());
+            }
+            accelerator->closest(rays, hits, work);
+            accelerator->occluded(rays, blocked, work);
+            for (int r = 0; r < RayPacket::capacity; ++r) {
+                ASSERT_TRUE(hits.hit(r)) << "packet " << i << ", ray " << r;
+                ASSERT_TRUE(blocked[r]);
+                ASSERT_TRUE(accelerator->closest(rays.ray(r), work));
+            }
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Levels, ::testing::ValuesIn(usable_isas()),
                          [](const auto& level) { return std::string(to_string(level.param)); });
 

@@ -1,5 +1,6 @@
 #include "framework/technique/catalogue.h"
 
+#include "framework/technique/stereo.h"
 #include "tests/testing/everything.h"
 #include "tests/testing/scenes.h"
 
@@ -68,6 +69,65 @@ TEST_P(Conformance, KeepsNothingBetweenFramesAndInstances) {
     static_cast<void>(other.render(*second));
     EXPECT_EQ(studio.render(*first).frame.colour, fresh);
     EXPECT_EQ(studio.render(*second).frame.colour, fresh);
+}
+
+TEST_P(Conformance, SeesInStereoWhatItSeesWithEitherEye) {
+    Scene scene = testing::bit_of_everything();
+    scene.camera.stereo_separation = 0.5;
+    const Camera camera = scene.camera;
+    const testing::OwnStudio studio(std::move(scene));
+    const auto technique = find_technique(GetParam()).create();
+    const auto seen_by = [&](const Camera& eye) {
+        Shot shot = shot_of(studio.scene());
+        shot.spp = 1;
+        shot.camera = eye;
+        return studio.render(*technique, shot);
+    };
+    const Outcome both = seen_by(camera);
+    if (!both.plan.applies) GTEST_SKIP() << both.plan.why;
+    const Outcome left = seen_by(camera.left_eye()), right = seen_by(camera.right_eye());
+    EXPECT_NE(left.frame.colour, right.frame.colour);
+    for (std::size_t i = 0; i < both.frame.colour.pixels().size(); ++i) {
+        ASSERT_EQ(both.frame.colour.pixels()[i],
+                  anaglyph(left.frame.colour.pixels()[i], right.frame.colour.pixels()[i]));
+    }
+    EXPECT_EQ(both.counts.all_rays(), left.counts.all_rays() + right.counts.all_rays());
+    EXPECT_EQ(both.counts.object_tests, left.counts.object_tests + right.counts.object_tests);
+}
+
+TEST_P(Conformance, ShowsEveryKindOfCameraOrSaysWhyNot) {
+    for (const Projection projection :
+         {Projection::fisheye, Projection::spherical, Projection::orthographic}) {
+        Scene scene = testing::bit_of_everything();
+        scene.camera.projection = projection;
+        scene.camera.width = 20;
+        const testing::OwnStudio studio(std::move(scene));
+        const Outcome outcome = studio.render(*find_technique(GetParam()).create());
+        if (!outcome.plan.applies) {
+            EXPECT_NE(outcome.plan.why, "");
+            continue;
+        }
+        EXPECT_EQ(outcome.non_finite.count, 0u);
+        const bool black_corner = outcome.frame.colour(0, 0) == Rgb(0);
+        EXPECT_EQ(black_corner, projection == Projection::fisheye);
+    }
+}
+
+TEST_P(Conformance, MakesTheSamePictureWhileOnePixelsRaysAreRecorded) {
+    const testing::OwnStudio studio(testing::bit_of_everything());
+    const auto technique = find_technique(GetParam()).create();
+    Shot shot = shot_of(studio.scene());
+    shot.spp = 1;
+    const Outcome plain = studio.render(*technique, shot);
+    RayLog log;
+    const Outcome watched = run(*technique, studio.studio(), shot, {}, {.warm_up = 0, .frames = 1},
+                                nullptr, Watch{21, 30, &log});
+    EXPECT_EQ(watched.frame.colour, plain.frame.colour);
+    EXPECT_EQ(watched.counts.rays, plain.counts.rays);
+    ASSERT_FALSE(log.rays().empty());
+    const Ray through = Screen(shot.camera, shot.size).ray(21.5, 30.5);
+    EXPECT_EQ(log.rays()[0].kind, RayKind::primary);
+    EXPECT_EQ(log.rays()[0].ray.direction, through.direction);
 }
 
 std::vector<std::string_view> names() {

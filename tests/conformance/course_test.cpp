@@ -53,5 +53,12 @@ TEST(CourseScenes, BoxedHasTheCoursesLightInEveryPart) {
     EXPECT_LE(errors.rmse, 0.006);
 }
 
+TEST(CourseScenes, HeightfieldHasTheCoursesIslandAndSea) {
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the course's scenes are not here";
+    const auto [ours, theirs] = rendered("heightfield", 1);
+    const Errors errors = errors_between(block_means(theirs).view(), block_means(ours).view());
+    EXPECT_LE(errors.rmse, 0.006);
+}
+
 }  // namespace
 }  // namespace luch

@@ -130,6 +130,14 @@ TEST_F(Mutated, MeshesLoadOrAreRefused) {
     expect_answers("mesh.obj", [&] { load_scene(folder_ / "whole.scene"); });
 }
 
+TEST_F(Mutated, GltfLoadsOrIsRefused) {
+    expect_answers("model.gltf", [&] { load_scene(folder_ / "whole.scene"); });
+}
+
+TEST_F(Mutated, BinaryGltfLoadsOrIsRefused) {
+    expect_answers("model.glb", [&] { load_scene(folder_ / "whole.scene"); });
+}
+
 TEST_F(Mutated, PngIsReadOrRefused) {
     expect_picture_answers("broken.png");
 }

@@ -33,6 +33,40 @@ Image<Rgb> picture() {
     return image;
 }
 
+TEST_F(Files, AreReadFromMemoryAsFromTheDisk) {
+    for (const char* name : {"picture.png", "picture.jpg"}) {
+        write_picture(folder_ / name, picture().view());
+        const std::string bytes = read_text(folder_ / name);
+        EXPECT_EQ(picture_size(bytes, "inside"), (Size{5, 3}));
+        EXPECT_EQ(read_picture(bytes, "inside").pixels, read_picture(folder_ / name).pixels);
+    }
+}
+
+std::string memory_answer(const std::string& bytes) {
+    try {
+        read_picture(bytes, "model.glb: images[0]");
+        return "read";
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+TEST_F(Files, InMemoryAreRefusedAsOnTheDisk) {
+    write_picture(folder_ / "picture.png", picture().view());
+    write_picture(folder_ / "picture.bmp", picture().view());
+    std::string png = read_text(folder_ / "picture.png");
+    EXPECT_EQ(memory_answer(read_text(folder_ / "picture.bmp")),
+              "model.glb: images[0]: is neither PNG nor JPEG; save the picture as one of them");
+    EXPECT_EQ(memory_answer(png.substr(0, png.size() / 2)),
+              "model.glb: images[0]: ends too early; save or copy it again");
+    png[18] = '\x3f';  // the third byte of the width: 16,133
+    png[22] = '\x3f';
+    EXPECT_EQ(memory_answer(png),
+              "model.glb: images[0]: promises 16133 x 16131 pixels but holds "
+              "only " +
+                  std::to_string(png.size()) + " bytes; it is damaged");
+}
+
 class Lossless : public Files, public testing::WithParamInterface<const char*> {};
 
 TEST_P(Lossless, GivesBackTheBytesThatWereWritten) {

@@ -65,9 +65,26 @@ TEST_F(Blocks, SetTheWholeCameraAndTheFirstOneCounts) {
     EXPECT_EQ(camera.lens_samples, 10);
     EXPECT_EQ(camera.stereo_separation, 0.5);
     ASSERT_EQ(result.warnings.size(), 1u);
-    EXPECT_EQ(without_folder(result.warnings[0]),
-              "t.scene:15: there is a Camera already, and the first one counts; remove one of the "
-              "two");
+    EXPECT_EQ(
+        without_folder(result.warnings[0]),
+        "t.scene:15: the scene has its Camera already, and the first one counts; remove one of the "
+        "two");
+}
+
+TEST_F(Blocks, SetEveryKindOfCameraWithItsOwnDefaults) {
+    const auto camera = [&](const std::string& text) { return loaded(text).scene.camera; };
+    const Camera fisheye = camera("FisheyeCamera c {\npos 1 2 3\nyaw 4\naspect 2\n}");
+    EXPECT_EQ(fisheye.projection, Projection::fisheye);
+    EXPECT_EQ(fisheye.fov_deg, 180);
+    EXPECT_EQ(fisheye.position, Vec3d(1, 2, 3));
+    EXPECT_EQ(fisheye.yaw_deg, 4);
+    EXPECT_EQ(fisheye.aspect, 2);
+    EXPECT_EQ(camera("FisheyeCamera c {\npos 1 2 3\nfov 222\n}").fov_deg, 222);
+    EXPECT_EQ(camera("SphericalCamera c {\npos 1 2 3\n}").projection, Projection::spherical);
+    const Camera parallel = camera("OrthographicCamera c {\npos 1 2 3\n}");
+    EXPECT_EQ(parallel.projection, Projection::orthographic);
+    EXPECT_EQ(parallel.width, 10);
+    EXPECT_EQ(camera("OrthographicCamera c {\npos 1 2 3\nwidth 7\n}").width, 7);
 }
 
 TEST_F(Blocks, ReadLights) {
@@ -122,7 +139,7 @@ TEST_F(Blocks, ReadShaders) {
     const auto& phong = std::get<Phong>(scene.materials[1]);
     EXPECT_EQ(phong.color, Rgb(0.5f));
     EXPECT_EQ(phong.texture, no_texture);
-    EXPECT_EQ(phong.specular, 2);
+    EXPECT_EQ(phong.specular, Rgb(2));
     EXPECT_EQ(phong.exponent, 3);
     const auto& reflection = std::get<Reflection>(scene.materials[2]);
     EXPECT_EQ(reflection.multiplier, Rgb(1, 0, 1));
@@ -171,11 +188,18 @@ TEST_F(Blocks, FindTheSidesOfACubemapUnderAnyEnding) {
     }
     const Scene scene = loaded("CubemapEnvironment {\nfolder sky\n}").scene;
     ASSERT_TRUE(scene.environment);
-    EXPECT_FLOAT_EQ(scene.environment->sides[CubemapEnvironment::neg_x](0, 0).r, 10 / 255.0f);
-    EXPECT_FLOAT_EQ(scene.environment->sides[CubemapEnvironment::neg_y](0, 0).r, 20 / 255.0f);
-    EXPECT_NEAR(scene.environment->sides[CubemapEnvironment::neg_z](0, 0).r,
-                srgb_decoded(30 / 255.0f), 1e-4);
-    EXPECT_FLOAT_EQ(scene.environment->sides[CubemapEnvironment::pos_z](0, 0).r, 60 / 255.0f);
+    EXPECT_FLOAT_EQ(
+        std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_x](0, 0).r,
+        10 / 255.0f);
+    EXPECT_FLOAT_EQ(
+        std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_y](0, 0).r,
+        20 / 255.0f);
+    EXPECT_NEAR(
+        std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::neg_z](0, 0).r,
+        srgb_decoded(30 / 255.0f), 1e-4);
+    EXPECT_FLOAT_EQ(
+        std::get<CubemapEnvironment>(*scene.environment).sides[CubemapEnvironment::pos_z](0, 0).r,
+        60 / 255.0f);
 }
 
 TEST_F(Blocks, DrawNoNodeWithoutAShader) {

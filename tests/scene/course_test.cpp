@@ -36,7 +36,8 @@ TEST_F(CourseScenes, Lecture8LoadsWithoutAWarning) {
     EXPECT_EQ(triangles(result.scene), 44u + 992u);
     EXPECT_EQ(result.scene.settings.max_depth, 5);
     ASSERT_TRUE(result.scene.environment);
-    for (const auto& side : result.scene.environment->sides) EXPECT_GT(side.width(), 0);
+    for (const auto& side : std::get<CubemapEnvironment>(*result.scene.environment).sides)
+        EXPECT_GT(side.width(), 0);
 }
 
 TEST_F(CourseScenes, BoxedLoadsWithoutAWarning) {
@@ -61,8 +62,14 @@ TEST_F(CourseScenes, ZaphodLoadsWithoutAWarning) {
     EXPECT_EQ(result.scene.camera.focal_distance, 25.29);
 }
 
-TEST_F(CourseScenes, HeightfieldIsRefusedUntilItsClassesAreRead) {
-    EXPECT_THROW(loaded("heightfield.hexray"), Error);
+TEST_F(CourseScenes, HeightfieldIsReadAndBlurred) {
+    const Loaded result = loaded("heightfield.hexray");
+    EXPECT_TRUE(result.warnings.empty());
+    const auto& field = std::get<Heightfield>(result.scene.geometries.at(2));
+    EXPECT_EQ(field.width(), 512);
+    EXPECT_EQ(field.height(), 512);
+    // As high as in the course's own picture, which is the island's outline against the sky.
+    EXPECT_NEAR(bounds_of(field).hi.y, 0.5806, 1e-3);
 }
 
 }  // namespace

@@ -16,18 +16,18 @@ Rgb grey(float value) {
 TEST(Checker, ChangesColourEveryScalingUnits) {
     const Texture checker = CheckerTexture{Rgb(1, 0, 0), Rgb(0, 1, 0), 5};
     const Rgb first(1, 0, 0), second(0, 1, 0);
-    EXPECT_EQ(colour_at(checker, {1, 1}), first);
-    EXPECT_EQ(colour_at(checker, {6, 1}), second);
-    EXPECT_EQ(colour_at(checker, {6, 6}), first);
-    EXPECT_EQ(colour_at(checker, {4.999, 0}), first);
-    EXPECT_EQ(colour_at(checker, {5, 0}), second);
+    EXPECT_EQ(colour_at(checker, {{1, 1}}), first);
+    EXPECT_EQ(colour_at(checker, {{6, 1}}), second);
+    EXPECT_EQ(colour_at(checker, {{6, 6}}), first);
+    EXPECT_EQ(colour_at(checker, {{4.999, 0}}), first);
+    EXPECT_EQ(colour_at(checker, {{5, 0}}), second);
 }
 
 TEST(Checker, GoesOnBelowZeroWithoutADoubleSquare) {
     const Texture checker = CheckerTexture{Rgb(1, 0, 0), Rgb(0, 1, 0), 5};
-    EXPECT_EQ(colour_at(checker, {-1, 1}), Rgb(0, 1, 0));
-    EXPECT_EQ(colour_at(checker, {-1, -1}), Rgb(1, 0, 0));
-    EXPECT_EQ(colour_at(checker, {-6, 1}), Rgb(1, 0, 0));
+    EXPECT_EQ(colour_at(checker, {{-1, 1}}), Rgb(0, 1, 0));
+    EXPECT_EQ(colour_at(checker, {{-1, -1}}), Rgb(1, 0, 0));
+    EXPECT_EQ(colour_at(checker, {{-6, 1}}), Rgb(1, 0, 0));
 }
 
 /// 2 × 2: 0 1 over 2 3.
@@ -39,36 +39,36 @@ BitmapTexture small(double scaling) {
 
 TEST(Bitmap, HasItsPixelsAtTheirTopLeftCorners) {
     const Texture bitmap = small(10);
-    EXPECT_EQ(colour_at(bitmap, {0, 0}), grey(0));
-    EXPECT_EQ(colour_at(bitmap, {5, 0}), grey(1));
-    EXPECT_EQ(colour_at(bitmap, {0, 5}), grey(2));
-    EXPECT_EQ(colour_at(bitmap, {5, 5}), grey(3));
+    EXPECT_EQ(colour_at(bitmap, {{0, 0}}), grey(0));
+    EXPECT_EQ(colour_at(bitmap, {{5, 0}}), grey(1));
+    EXPECT_EQ(colour_at(bitmap, {{0, 5}}), grey(2));
+    EXPECT_EQ(colour_at(bitmap, {{5, 5}}), grey(3));
 }
 
 TEST(Bitmap, IsBilinearAndWrapsAtItsEnds) {
     const Texture bitmap = small(10);
     // (1.25, 2.5) is pixel (0.25, 0.5): the rows give 0.25 and 2.25, their middle 1.25.
-    EXPECT_FLOAT_EQ(colour_at(bitmap, {1.25, 2.5}).r, 1.25f);
+    EXPECT_FLOAT_EQ(colour_at(bitmap, {{1.25, 2.5}}).r, 1.25f);
     // (7.5, 0) is pixel (1.5, 0): between pixel 1 and, around the end, pixel 0.
-    EXPECT_FLOAT_EQ(colour_at(bitmap, {7.5, 0}).r, 0.5f);
-    EXPECT_FLOAT_EQ(colour_at(bitmap, {0, 7.5}).r, 1.0f);
+    EXPECT_FLOAT_EQ(colour_at(bitmap, {{7.5, 0}}).r, 0.5f);
+    EXPECT_FLOAT_EQ(colour_at(bitmap, {{0, 7.5}}).r, 1.0f);
 }
 
 TEST(Bitmap, RepeatsInBothDirections) {
     const Texture bitmap = small(10);
     for (const double shift : {-30.0, -10.0, 10.0, 2000.0}) {
-        EXPECT_FLOAT_EQ(colour_at(bitmap, {1.25 + shift, 2.5 - shift}).r, 1.25f) << shift;
+        EXPECT_FLOAT_EQ(colour_at(bitmap, {{1.25 + shift, 2.5 - shift}}).r, 1.25f) << shift;
     }
 }
 
 TEST(Bitmap, HasSomeFiniteColourEverywhere) {
     const Texture bitmap = small(10);
     for (const double u : {infinity, -infinity, std::nan(""), 1e300, -1e-300}) {
-        const Rgb colour = colour_at(bitmap, {u, -u});
+        const Rgb colour = colour_at(bitmap, {{u, -u}});
         EXPECT_TRUE(all_finite(colour)) << u;
         EXPECT_LE(colour.r, 3) << u;
     }
-    EXPECT_EQ(colour_at(BitmapTexture{}, {0.5, 0.5}), grey(0));
+    EXPECT_EQ(colour_at(BitmapTexture{}, {{0.5, 0.5}}), grey(0));
 }
 
 TEST(Slopes, AreDifferencesToTheRightAndBelowThatWrap) {
@@ -108,7 +108,7 @@ TEST(Bump, RepeatsAtNegativeCoordinatesToo) {
 }
 
 TEST(Bump, HasNoColourAndOtherTexturesHaveNoTilt) {
-    EXPECT_EQ(colour_at(bump(), {0.5, 0}), grey(0));
+    EXPECT_EQ(colour_at(bump(), {{0.5, 0}}), grey(0));
     EXPECT_EQ(tilt_at(small(10), {1, 1}), Vec2d(0));
 }
 

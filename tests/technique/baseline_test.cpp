@@ -71,20 +71,5 @@ TEST(Antialias, SmoothsEdgesAndLeavesFlatPixelsAlone) {
     EXPECT_EQ(plain(0, 0), smooth(0, 0));
 }
 
-TEST(SamplePosition, IsTheCentreForOneSampleAndFillsThePixelForMany) {
-    Shot shot{.camera = {}, .size = {8, 8}, .spp = 1};
-    EXPECT_EQ(sample_position(shot, 3, 4, 0), Vec2d(3.5, 4.5));
-    shot.spp = 1000;
-    Vec2d sum(0);
-    for (int i = 0; i < shot.spp; ++i) {
-        const Vec2d p = sample_position(shot, 3, 4, i) - Vec2d(3, 4);
-        ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
-        sum += p;
-    }
-    // The mean of 1000 uniform numbers has a standard deviation of 0.0091.
-    EXPECT_NEAR(sum.x / shot.spp, 0.5, 0.04);
-    EXPECT_NEAR(sum.y / shot.spp, 0.5, 0.04);
-}
-
 }  // namespace
 }  // namespace luch

@@ -53,7 +53,7 @@ TEST(Whitted, WeighsLightByTheCosineAtTheSurface) {
 }
 
 TEST(Whitted, AddsPhongsHighlightWithoutPowerOrDistance) {
-    const Scene scene = lit_floor(Phong{.color = Rgb(0), .specular = 0.5, .exponent = 2});
+    const Scene scene = lit_floor(Phong{.color = Rgb(0), .specular = Rgb(0.5f), .exponent = 2});
     // Seen at 45° with the light at the zenith: cos γ = cos 45°.
     expect_near(seen(scene, down_at_origin).colour, Rgb(1, 0.5f, 0.25f) * (0.5f * 0.5f));
 }

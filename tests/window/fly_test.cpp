@@ -102,6 +102,18 @@ TEST(Fly, ADragAcrossTheFrameTurnsByItsFieldOfView) {
     EXPECT_NEAR(degrees_per_px(camera, 640) * 640, angle_deg, 1e-9);
 }
 
+TEST(Fly, ADragAcrossTheFrameTurnsByTheFieldOfViewOfEveryProjection) {
+    Camera camera;
+    camera.aspect = 2;
+    camera.fov_deg = 150;
+    camera.projection = Projection::fisheye;
+    EXPECT_NEAR(degrees_per_px(camera, 640) * 640, 300, 1e-9);
+    camera.projection = Projection::spherical;
+    EXPECT_NEAR(degrees_per_px(camera, 640) * 640, 360, 1e-9);
+    camera.projection = Projection::orthographic;
+    EXPECT_NEAR(degrees_per_px(camera, 640) * 640, 90, 1e-9);
+}
+
 TEST(Fly, SpeedFollowsTheSizeOfTheScene) {
     const auto scene_at = [](double scale) {
         Scene scene;

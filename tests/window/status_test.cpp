@@ -78,6 +78,8 @@ TEST(Status, TheCamerasTextIsExact) {
     camera.yaw_deg = 12.5;
     camera.fov_deg = 60;
     EXPECT_EQ(camera_text(camera), "0.1,-2,0.3333333333333333,12.5,0,0,60");
+    camera.projection = Projection::spherical;
+    EXPECT_EQ(camera_text(camera), "0.1,-2,0.3333333333333333,12.5,0,0");
 }
 
 TEST(Status, PlanesAreNamedWithRangeAndUnit) {

@@ -179,8 +179,8 @@ class Builder {
                 const Vec3& corner = mesh_.corner(block.id[lane], k);
                 const Vec3 edge = glm::abs(mesh_.corner(block.id[lane], (k + 1) % 3) - corner);
                 // Arguments in this order leave out NaN.
-                block.edge[lane] = std::max(
-                    std::max(std::max(block.edge[lane], edge.x), edge.y), edge.z);
+                block.edge[lane] =
+                    std::max(std::max(std::max(block.edge[lane], edge.x), edge.y), edge.z);
                 for (int axis = 0; axis < 3; ++axis) {
                     block.corner[3 * k + axis][lane] = corner[axis];
                 }

@@ -41,11 +41,11 @@ struct Bundle {
     alignas(64) float t[RayPacket::capacity];
 
     Ranges inverses[3];  ///< (−∞, ∞) where the signs differ or an inverse is not finite
-    alignas(64) float sign[3][groups];  ///< of the directions, ±1; anything where they differ
-    unsigned negative_lanes[3][groups]; ///< a bit for each ray whose direction has the sign bit
-    bool negative[3];                   ///< the sign of all groups
-    bool coherent;                      ///< all signs are the same, all inverses finite
-    alignas(64) float limit[groups];    ///< the largest t of a group
+    alignas(64) float sign[3][groups];   ///< of the directions, ±1; anything where they differ
+    unsigned negative_lanes[3][groups];  ///< a bit for each ray whose direction has the sign bit
+    bool negative[3];                    ///< the sign of all groups
+    bool coherent;                       ///< all signs are the same, all inverses finite
+    alignas(64) float limit[groups];     ///< the largest t of a group
     float limit_all;
 
     /// All directions are multiples of (u, v, 1), by cyclic order after the axis `main`; main < 0:
@@ -65,9 +65,7 @@ struct Bundle {
                 t_min,
                 t_max};
     }
-    void update_limit(int group) {
-        limit[group] = largest_lane(Sixteen::load(t + group * groups));
-    }
+    void update_limit(int group) { limit[group] = largest_lane(Sixteen::load(t + group * groups)); }
     void update_limits() { limit_all = largest_lane(Sixteen::load(limit)); }
 };
 
@@ -213,8 +211,8 @@ inline bool bound(Bundle& bundle) {
     Ranges directions[3];
     for (int axis = 0; axis < 3; ++axis) {
         bound_axis(bundle, axis, directions[axis]);
-        bundle.direction_sum += std::max(std::abs(directions[axis].lo_all),
-                                         std::abs(directions[axis].hi_all));
+        bundle.direction_sum +=
+            std::max(std::abs(directions[axis].lo_all), std::abs(directions[axis].hi_all));
     }
     bound_cone(bundle, directions);
     for (int g = 0; g < groups; ++g) bundle.update_limit(g);

@@ -1,4 +1,3 @@
-#include "framework/accel/node_hit.h"
 #include "framework/accel/wide/kernels.h"
 #include "framework/accel/wide/packet_search.h"
 #include "framework/accel/wide/split_kernel.h"
@@ -20,7 +19,8 @@ void search_untamed(const RayPacket& rays, const Transform& to_object, Bundle& b
             const int i = group * groups + std::countr_zero(rest);
             if (i >= rays.count || bundle.t[i] == -infinite) continue;
             const Ray ray = rays.ray(i);
-            if (is_sound(ray)) alone(i, object_ray(to_object.ray(ray)));
+            const bool sound = all_finite(ray.direction) && ray.direction != Vec3d(0);
+            if (sound) alone(i, object_ray(to_object.ray(ray)));
             bundle.t[i] = -infinite;
         }
     }
@@ -116,8 +116,8 @@ void occluded_packet(const Tree& tree, const Transform& to_object, const RayPack
 #define LUCH_NAME(level) LUCH_NAME_OF(level)
 
 const Kernels& LUCH_NAME(LUCH_LEVEL)() {
-    static constexpr Kernels all{closest, occluded, closest_packet, occluded_packet,
-                                 range_of, split_range};
+    static constexpr Kernels all{closest,         occluded, closest_packet,
+                                 occluded_packet, range_of, split_range};
     return all;
 }
 

@@ -64,8 +64,7 @@ LUCH_INLINE T size_of(const Three<T>& corner, const T& edge) {
 }
 template <class A, class S>
 LUCH_INLINE auto sign_bound(const A& size, const A& edge, const S& sum) {
-    return size * (edge + size * 0x1p-22f) * (sum * relative_bound) +
-           (sum + 1.0f) * smallest_bound;
+    return size * (edge + size * 0x1p-22f) * (sum * relative_bound) + (sum + 1.0f) * smallest_bound;
 }
 
 }  // namespace

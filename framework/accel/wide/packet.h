@@ -64,7 +64,7 @@ LUCH_INLINE unsigned children_meeting(const Bundle& bundle, const Node& node, fl
 struct Facets {
     alignas(16) float edge[3][3][block_width];  ///< a × b of each edge, by components
     alignas(16) float normal[3][block_width];
-    alignas(16) float above[block_width];  ///< normal · a0
+    alignas(16) float above[block_width];                      ///< normal · a0
     alignas(16) float lo[3][block_width], hi[3][block_width];  ///< the triangle's box − origin
     alignas(16) float ray_bound[block_width];    ///< see sign_bound(), for edges and any ray
     alignas(16) float slope_bound[block_width];  ///< the same for normal · direction
@@ -102,10 +102,10 @@ LUCH_INLINE void cull(const Bundle& bundle, const Four& size, const Four& edge_s
     bound.store(f.cone_bound);
     const Four sum_bound = Four(0x1p-18f) * size * (edge_size + Four(0x1p-20f) * size) * sum +
                            Four(smallest_bound) * (sum + Four(1.0f));
-    const auto upper_of = [&](const float (*n)[block_width]) {
+    const auto upper_of = [&](const float(*n)[block_width]) {
         return cone_upper(Four::load(n[b]), Four::load(n[c]), Four::load(n[a]), u0, u1, v0, v1);
     };
-    const auto lower_of = [&](const float (*n)[block_width]) {
+    const auto lower_of = [&](const float(*n)[block_width]) {
         const Four nu = Four::load(n[b]), nv = Four::load(n[c]);
         return min_or(nu * u0, nu * u1) + min_or(nv * v0, nv * v1) + Four::load(n[a]);
     };

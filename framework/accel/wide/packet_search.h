@@ -136,7 +136,7 @@ class PacketSearch {
         const Three<Sixteen> d{Sixteen::load(bundle_.direction[0] + at),
                                Sixteen::load(bundle_.direction[1] + at),
                                Sixteen::load(bundle_.direction[2] + at)};
-        const auto value = [&](const float (*n)[block_width]) {
+        const auto value = [&](const float(*n)[block_width]) {
             return Sixteen(n[0][k]) * d.x + Sixteen(n[1][k]) * d.y + Sixteen(n[2][k]) * d.z;
         };
         const Sixteen w[3] = {value(f.edge[0]), value(f.edge[1]), value(f.edge[2])};
@@ -213,10 +213,6 @@ class PacketSearch {
 
     [[gnu::noinline]] unsigned take_exactly(const Block& block, int k, int at, unsigned doubtful,
                                             const Sixteen (&w)[3]) {
-        const auto corner = [&](int i) {
-            return Vec3(block.corner[3 * i][k], block.corner[3 * i + 1][k],
-                        block.corner[3 * i + 2][k]);
-        };
         unsigned closer = 0;
         for (; doubtful != 0; doubtful &= doubtful - 1) {
             const int lane = at + std::countr_zero(doubtful);
@@ -224,8 +220,8 @@ class PacketSearch {
             TriangleHit hit;
             // Whether t equals t_max is told by best(): there is no hit yet.
             const ObjectRay ray = bundle_.ray(lane, infinite);
-            if (!intersect_triangle(ray, corner(0), corner(1), corner(2), tree_.cull_backfaces,
-                                    hit)) {
+            if (!intersect_triangle(ray, block.point(0, k), block.point(1, k), block.point(2, k),
+                                    tree_.cull_backfaces, hit)) {
                 continue;
             }
             if (!(old ? nearer({.t = hit.t, .node = node_, .primitive = block.id[k]}, old)

@@ -117,20 +117,18 @@ class BlockTest {
         bool improved = false;
         for (; hit != 0; hit &= hit - 1) {
             const int lane = std::countr_zero(hit);
-            improved |= keep({.t = ts[lane], .node = node_, .primitive = block.id[lane]}, e, lane,
-                             search);
+            improved |=
+                keep({.t = ts[lane], .node = node_, .primitive = block.id[lane]}, e, lane, search);
         }
         return improved;
     }
 
     [[gnu::noinline]] bool take_exactly(const Block& block, const Edges& e, int lane,
                                         Search& search) const {
-        const auto corner = [&](int k) {
-            return Vec3(block.corner[3 * k][lane], block.corner[3 * k + 1][lane],
-                        block.corner[3 * k + 2][lane]);
-        };
         TriangleHit found;
-        if (!intersect_triangle(ray_, corner(0), corner(1), corner(2), cull_, found)) return false;
+        if (!intersect_triangle(ray_, block.point(0, lane), block.point(1, lane),
+                                block.point(2, lane), cull_, found))
+            return false;
         return keep({.t = found.t, .node = node_, .primitive = block.id[lane]}, e, lane, search);
     }
 
@@ -177,9 +175,9 @@ class NodeTest {
         const auto side = [&](int which, const Eight& o, const Eight& i) {
             return (Eight::load(bounds + which) - o) * i;
         };
-        const Eight in = max_or(max_or(side(near_[0], origin_.x, inverse_.x),
-                                       side(near_[1], origin_.y, inverse_.y)),
-                                max_or(side(near_[2], origin_.z, inverse_.z), Eight(t_min_)));
+        const Eight in = max_or(
+            max_or(side(near_[0], origin_.x, inverse_.x), side(near_[1], origin_.y, inverse_.y)),
+            max_or(side(near_[2], origin_.z, inverse_.z), Eight(t_min_)));
         const Eight far_x = side(far_[0], origin_.x, padded_.x);
         const Eight far_y = side(far_[1], origin_.y, padded_.y);
         const Eight far_z = side(far_[2], origin_.z, padded_.z);

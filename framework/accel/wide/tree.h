@@ -1,5 +1,7 @@
 #pragma once
 
+#include "framework/math/bounds.h"
+
 #include <cstdint>
 #include <vector>
 
@@ -17,13 +19,29 @@ struct alignas(64) Node {
     float bounds[6][node_width];      ///< lo.x, lo.y, lo.z, hi.x, hi.y, hi.z
     std::uint32_t child[node_width];  ///< used ones first
     std::uint32_t used;               ///< a bit for each child
+
+    [[nodiscard]] Box box(int slot) const {
+        return {{bounds[0][slot], bounds[1][slot], bounds[2][slot]},
+                {bounds[3][slot], bounds[4][slot], bounds[5][slot]}};
+    }
 };
 
-/// The corners are those of the mesh to the bit. A block that is not full repeats its last triangle.
+/// The corners are those of the mesh to the bit. A block that is not full repeats its last
+/// triangle.
 struct alignas(64) Block {
     float corner[9][block_width];  ///< p0.x, p0.y, p0.z, p1.x, …
     float edge[block_width];       ///< the largest |component| of a triangle's edges
     std::uint32_t id[block_width];
+
+    [[nodiscard]] Vec3 point(int which, int lane) const {
+        return {corner[3 * which][lane], corner[3 * which + 1][lane], corner[3 * which + 2][lane]};
+    }
+    /// How many triangles it holds, without the repeated one.
+    [[nodiscard]] int count() const {
+        int n = 1;
+        while (n < block_width && id[n] != id[n - 1]) ++n;
+        return n;
+    }
 };
 
 /// Root: node 0, which always exists.

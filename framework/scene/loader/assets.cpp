@@ -71,19 +71,40 @@ fs::path Assets::path(Properties& block, const Property& property) const {
 }
 
 Image<Rgb> Assets::picture(const fs::path& file, double gamma, const Place& place) {
-    constexpr std::uintmax_t most = std::uintmax_t{256} << 20;
     try {
-        pixels_ += picture_size(file).area();
-        if (pixels_ > most) {
-            throw Error({file.string()},
-                        "brings the scene's pictures over 256 megapixels; make "
-                        "them smaller");
-        }
+        count(picture_size(file), file);
         Image<Rgb> image = read_picture(file).pixels;
         decode(image, gamma);
         return image;
     } catch (const Error& error) {
         throw Error(place, error.what());
+    }
+}
+
+fs::path Assets::beside(const fs::path& file, const std::string& name) const {
+    const fs::path named = (file.parent_path() / name).lexically_normal();
+    if (fs::path(name).is_absolute() || !inside_root(named)) {
+        throw Error({file.string()},
+                    fmt::format("{} lies outside the root {}; move it there, or name a wider one "
+                                "with --root DIR",
+                                shown(name), root_.string()));
+    }
+    return named;
+}
+
+Image<Rgb> Assets::picture_in(std::string_view bytes, const fs::path& name) {
+    count(picture_size(bytes, name), name);
+    Image<Rgb> image = read_picture(bytes, name).pixels;
+    decode(image, 2.2);
+    return image;
+}
+
+void Assets::count(Size size, const fs::path& file) {
+    constexpr std::uintmax_t most = std::uintmax_t{256} << 20;
+    pixels_ += size.area();
+    if (pixels_ > most) {
+        throw Error({file.string()},
+                    "brings the scene's pictures over 256 megapixels; make them smaller");
     }
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace luch::loader {
 
@@ -25,8 +26,17 @@ class Assets {
     /// together hold at most 256 megapixels.
     Image<Rgb> picture(const std::filesystem::path& file, double gamma, const Place& place);
 
+    /// The path that a file of the scene names, relative to itself, under the same rule. Throws
+    /// Error{file}.
+    std::filesystem::path beside(const std::filesystem::path& file, const std::string& name) const;
+
+    /// A PNG or JPEG file in memory, decoded to linear light; counted like any other picture.
+    /// Throws Error{name}.
+    Image<Rgb> picture_in(std::string_view bytes, const std::filesystem::path& name);
+
  private:
     [[nodiscard]] bool inside_root(const std::filesystem::path& file) const;
+    void count(Size size, const std::filesystem::path& file);
 
     std::filesystem::path folder_;  ///< the scene's, as the user spelt it
     std::filesystem::path root_;    ///< canonical

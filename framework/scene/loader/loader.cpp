@@ -29,8 +29,10 @@ void read_blocks(const std::vector<Block>& blocks, Loading& loading) {
     };
     read_kind(Kind::texture);
     read_kind(Kind::geometry);
+    unfold_solids(loading);
     read_kind(Kind::shader);
     check_layers(loading);
+    add_file_materials(loading);
     read_kind(Kind::node, Kind::other);
 }
 
@@ -47,9 +49,9 @@ std::string scene_text(const std::filesystem::path& file) {
 Loaded load_scene(const std::filesystem::path& file, const LoadOptions& options) {
     try {
         Diagnostics diagnostics(file.string(), options.strict);
-        Loading loading{diagnostics, Assets(file, options), {}, {}, {}};
+        Loading loading{diagnostics, Assets(file, options), {}, {}, {}, {}, {}, {}, {}};
         read_blocks(parse_blocks(scene_text(file), diagnostics), loading);
-        if (!loading.has_camera) {
+        if (loading.camera_class.empty()) {
             diagnostics.fail(0, "has no Camera; add a block \"Camera camera {\" with a pos");
         }
         loading.scene.name = file.stem().string();

@@ -14,8 +14,8 @@ void add(Loading& loading, Properties& block, Material material) {
 /// A texture that has a colour.
 TextureId coloured_texture(const std::string& name, int line, const Loading& loading) {
     const TextureId id = loading.names.find(Kind::texture, name, line, loading.diagnostics);
-    if (std::holds_alternative<BumpTexture>(loading.scene.textures[id])) {
-        loading.diagnostics.fail(line, fmt::format("{} is a BumpTexture, which has no colour; "
+    if (is_bump(loading.scene.textures[id])) {
+        loading.diagnostics.fail(line, fmt::format("{} is a bump, which has no colour; "
                                                    "choose a texture of another class",
                                                    shown(name)));
     }
@@ -28,13 +28,17 @@ TextureId texture_of(Properties& block, const Loading& loading) {
     return coloured_texture(block.text(*property), property->line, loading);
 }
 
+/// A colour, or one number for grey.
+Rgb colour_or_grey(Properties& block, const Property& property) {
+    if (words_of(property.value).size() == 3) return Rgb(block.vector(property));
+    return Rgb(static_cast<float>(block.number(property)));
+}
+
 /// `multiplier` is one number, grey, or a colour; it counts where the colour itself is not given.
 Rgb multiplied(Properties& block, Names color, const Rgb& fallback) {
     const Property* multiplier = block.find("multiplier");
     if (const Property* property = block.find(color)) return Rgb(block.vector(*property));
-    if (!multiplier) return fallback;
-    if (words_of(multiplier->value).size() == 3) return Rgb(block.vector(*multiplier));
-    return Rgb(static_cast<float>(block.number(*multiplier)));
+    return multiplier ? colour_or_grey(block, *multiplier) : fallback;
 }
 
 Layered::Layer layer_of(const Property& line, const Loading& loading) {
@@ -73,7 +77,9 @@ void read_phong(Properties& block, Loading& loading) {
     Phong phong;
     phong.color = block.color("color", phong.color);
     phong.texture = texture_of(block, loading);
-    phong.specular = block.number("specular", phong.specular);
+    if (const auto* specular = block.find({"specular", "specularMultiplier", "strength"})) {
+        phong.specular = colour_or_grey(block, *specular);
+    }
     phong.exponent =
         block.number({"exponent", "specularExponent"}, phong.exponent, {0, positive.most});
     add(loading, block, phong);
@@ -81,10 +87,19 @@ void read_phong(Properties& block, Loading& loading) {
 
 void read_reflection(Properties& block, Loading& loading) {
     Reflection reflection;
-    reflection.multiplier = multiplied(block, "reflColor", reflection.multiplier);
+    reflection.multiplier = multiplied(block, {"reflColor", "color"}, reflection.multiplier);
     reflection.glossiness = block.number("glossiness", reflection.glossiness, {0, 1});
     reflection.samples = block.integer("numSamples", reflection.samples, {1, 1e6});
     add(loading, block, reflection);
+}
+
+void read_refraction(Properties& block, Loading& loading) {
+    Refraction refraction;
+    refraction.multiplier = multiplied(block, {"refrColor", "color"}, refraction.multiplier);
+    refraction.ior = block.number("ior", refraction.ior, positive);
+    refraction.inside_color = block.color("insideColor", refraction.inside_color);
+    refraction.absorption = block.number("absorption", refraction.absorption, {0, positive.most});
+    add(loading, block, refraction);
 }
 
 void read_layered(Properties& block, Loading& loading) {

@@ -23,11 +23,11 @@ std::string Properties::title() const {
 }
 
 const Property* Properties::find(Names names) {
-    known_.push_back(names.now);
+    known_.push_back(names.now());
     const Property* found = nullptr;
     for (std::size_t i = 0; i < block_.properties.size(); ++i) {
         const Property& property = block_.properties[i];
-        if (property.name != names.now && property.name != names.old) continue;
+        if (!names.contain(property.name)) continue;
         read_[i] = true;
         if (!found) {
             found = &property;
@@ -43,7 +43,7 @@ const Property* Properties::find(Names names) {
 const Property& Properties::required(Names names) {
     if (const Property* property = find(names)) return *property;
     diagnostics_.fail(block_.line, fmt::format("{} has no {}; add a line \"{} ...\" to it", title(),
-                                               names.now, names.now));
+                                               names.now(), names.now()));
 }
 
 std::vector<const Property*> Properties::lines(std::initializer_list<std::string_view> names) {

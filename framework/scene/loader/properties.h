@@ -3,17 +3,23 @@
 #include "framework/math/colour.h"
 #include "framework/scene/loader/parser.h"
 
-#include <array>
+#include <algorithm>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
 namespace luch::loader {
 
-/// A property's name and, where it had another once, its old one.
+/// A property's name and, where older dialects have others, those too.
 struct Names {
-    Names(const char* name) : now(name), old(name) {}  // NOLINT: reads as a name
-    Names(const char* name, const char* old_name) : now(name), old(old_name) {}
-    std::string_view now, old;
+    Names(const char* name) : all{name} {}  // NOLINT: reads as a name
+    Names(std::initializer_list<const char*> names) : all(names.begin(), names.end()) {}
+
+    [[nodiscard]] std::string_view now() const { return all.front(); }
+    [[nodiscard]] bool contain(std::string_view name) const {
+        return std::find(all.begin(), all.end(), name) != all.end();
+    }
+    std::vector<std::string_view> all;
 };
 
 /// From least to most, both included. The default is what lengths, powers and colours may be: their
