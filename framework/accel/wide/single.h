@@ -50,7 +50,7 @@ class BlockTest {
         if (maybe == 0) return false;
         const unsigned positive = bound < least;
         const unsigned certain = positive | (most < minus_bound);
-        return finish(block, maybe, certain, cull_ ? positive : 0u, search);
+        return finish(block, e, maybe, certain, cull_ ? positive : 0u, search);
     }
 
  private:
@@ -73,11 +73,9 @@ class BlockTest {
                 Four::load(block.corner[3 * k + 2])};
     }
 
-    /// The distance of those that the edges let through. Computes them again: most blocks end
-    /// before, and keeping their numbers for this would cost more.
-    [[gnu::noinline]] bool finish(const Block& block, unsigned maybe, unsigned certain,
-                                  unsigned culled, Search& search) const {
-        const Edges e(block, origin_, direction_);
+    /// The distance of those that the edges let through.
+    LUCH_INLINE bool finish(const Block& block, const Edges& e, unsigned maybe, unsigned certain,
+                            unsigned culled, Search& search) const {
         const Three<Four> p0 = corner(block, 0);
         const Three<Four> edge1 = minus(corner(block, 1), p0), edge2 = minus(corner(block, 2), p0);
         const Three<Four> normal = cross(edge1, edge2);
@@ -96,12 +94,19 @@ class BlockTest {
         const Four t = min_or(far, max_or(near, above / along));
         const unsigned hit = maybe & certain & ~culled & (near <= far) & (Four(ray_.t_min) < t) &
                              (t < Four(ray_.t_max)) & (t <= Four(search.best.t));
-        bool improved = hit != 0 && take(block, e, hit, t, search);
-        for (unsigned rest = maybe & ~certain; rest != 0; rest &= rest - 1) {
-            improved |= take_exactly(block, e, std::countr_zero(rest), search);
-        }
-        return improved;
+        const unsigned doubtful = maybe & ~certain;
+        if ((hit | doubtful) == 0) return false;
+        Lines lines;
+        t.store(lines.t);
+        for (int k = 0; k < 3; ++k) e.w[k].store(lines.w[k]);
+        return take(block, hit, doubtful, lines, search);
     }
+
+    /// Distances and edge values of the four, for picking one.
+    struct Lines {
+        alignas(16) float t[block_width];
+        alignas(16) float w[3][block_width];
+    };
 
     LUCH_INLINE static void clip(const Four& lo, const Four& hi, float direction, float inverse,
                                  Four& near, Four& far) {
@@ -110,37 +115,31 @@ class BlockTest {
         far = min_or((negative ? lo : hi) * Four(inverse), far);
     }
 
-    bool take(const Block& block, const Edges& e, unsigned hit, const Four& t,
+    bool take(const Block& block, unsigned hit, unsigned doubtful, const Lines& lines,
               Search& search) const {
-        alignas(16) float ts[block_width];
-        t.store(ts);
         bool improved = false;
         for (; hit != 0; hit &= hit - 1) {
             const int lane = std::countr_zero(hit);
-            improved |=
-                keep({.t = ts[lane], .node = node_, .primitive = block.id[lane]}, e, lane, search);
+            improved |= keep(block, lane, lines.t[lane], lines, search);
+        }
+        for (; doubtful != 0; doubtful &= doubtful - 1) {
+            const int lane = std::countr_zero(doubtful);
+            TriangleHit found;
+            if (!intersect_triangle(ray_, block.point(0, lane), block.point(1, lane),
+                                    block.point(2, lane), cull_, found)) {
+                continue;
+            }
+            improved |= keep(block, lane, found.t, lines, search);
         }
         return improved;
     }
 
-    [[gnu::noinline]] bool take_exactly(const Block& block, const Edges& e, int lane,
-                                        Search& search) const {
-        TriangleHit found;
-        if (!intersect_triangle(ray_, block.point(0, lane), block.point(1, lane),
-                                block.point(2, lane), cull_, found))
-            return false;
-        return keep({.t = found.t, .node = node_, .primitive = block.id[lane]}, e, lane, search);
-    }
-
-    static bool keep(const Hit& hit, const Edges& e, int lane, Search& search) {
+    bool keep(const Block& block, int lane, float t, const Lines& lines, Search& search) const {
+        const Hit hit{.t = t, .node = node_, .primitive = block.id[lane]};
         if (!nearer(hit, search.best)) return false;
         search.best = hit;
         search.improved = true;
-        for (int k = 0; k < 3; ++k) {
-            alignas(16) float w[block_width];
-            e.w[k].store(w);
-            search.weights[k] = w[lane];
-        }
+        for (int k = 0; k < 3; ++k) search.weights[k] = lines.w[k][lane];
         return true;
     }
 
