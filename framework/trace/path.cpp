@@ -38,8 +38,7 @@ bool PathTracer::step(Path& path, const Draw& draw) {
     }
     if (path.depth > settings_.depth) return false;
     surface_ = surface_at(*scene_, path.ray, hit, needs_.surface);
-    const Material& material = scene_->materials[scene_->nodes[hit.node].material];
-    bsdf_.set(*scene_, surface_, path.ray.direction, material, path.medium);
+    bsdf_.set(*scene_, surface_, path.ray.direction, material_of(*scene_, hit), path.medium);
     path.light += path.throughput * bsdf_.emitted();
     if (bsdf_.scatters()) {
         // The shadow rays are this surface's children: the log hears of it here.

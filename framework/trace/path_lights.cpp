@@ -28,9 +28,8 @@ PathLights::PathLights(const Scene& scene)
 void PathLights::match_faces(const Scene& scene) {
     // Lights and faces are added together, so they come in the same order.
     std::size_t next = 0;
-    for (std::size_t node = 0; node < scene.nodes.size(); ++node) {
-        if (!std::holds_alternative<Emission>(scene.materials[scene.nodes[node].material]))
-            continue;
+    for (NodeId node = 0; node < scene.nodes.size(); ++node) {
+        if (!std::holds_alternative<Emission>(material_of(scene, {.node = node}))) continue;
         while (next < scene.lights.size() && rect_of_light_[next] == no_light) ++next;
         if (next == scene.lights.size()) return;
         light_of_node_[node] = static_cast<std::uint32_t>(next++);

@@ -300,6 +300,16 @@ std::vector<std::string> left_out(const Scene& scene, const std::vector<std::str
     return names;
 }
 
+TEST(Vista, DoesNotApplyToMoreTrianglesThanItsBufferShouldHold) {
+    Scene scene = testing::empty_scene();
+    add_shape(scene, testing::uv_sphere(65, 64, 1));  // 8192 triangles
+    scene.nodes.resize(1024, scene.nodes.front());
+    EXPECT_TRUE(vista()->plan(scene, shot_of(scene)).applies);
+    scene.nodes.resize(1025, scene.nodes.front());
+    EXPECT_THAT(vista()->plan(scene, shot_of(scene)).why,
+                ::testing::StartsWith("8396800 triangles, instances counted"));
+}
+
 TEST(Vista, LeavesOutWhatASceneDoesNotNeed) {
     using Names = std::vector<std::string>;
     EXPECT_EQ(left_out(testing::one_of_each()), Names{});

@@ -118,7 +118,7 @@ TEST(AutoFocus, IsTheFocusOnWhatTheMiddleSeesAndARayMore) {
 
 TEST(AutoFocus, LeavesTheDistanceWhereThereIsNothing) {
     Scene automatic = ball_ahead();
-    automatic.camera.yaw_deg = 200;
+    automatic.camera.yaw_deg = 45;  // the ball is at the side, out of focus
     automatic.camera.focal_distance = 3;
     Scene by_hand = automatic;
     by_hand.camera.auto_focus = false;

@@ -54,6 +54,21 @@ TEST(PathFurnace, LosesWhatAShortPathCannotReach) {
     EXPECT_LT(seen.mean.x + 10 * seen.error.x, 1);
 }
 
+TEST(PathFurnace, FillsAHollowWithTheGeometricSeriesOfItsAlbedo) {
+    Scene scene = testing::dark_scene();
+    // Half of the inner surface glows, half is white: 1/2 + 1/4 + 1/8 + … = 1 everywhere.
+    scene.materials = {Const{.color = Rgb(1)}, Lambert{.color = Rgb(1)},
+                       Layered{{{0, Rgb(1)}, {1, Rgb(0.5f)}}}};
+    scene.geometries.emplace_back(Sphere{});
+    add_node(scene, "hollow", 0, 2, {});
+    const PathBench bench(std::move(scene));
+    for (const auto& [name, settings] : testing::all_ways(1000)) {
+        const auto seen = bench.measured({{0.3, 0, 0}, {0, 0, 1}}, settings, 4000);
+        EXPECT_LE(seen.sigmas_from(Vec3d(1)), 3) << name;
+        EXPECT_LT(seen.error.x, 0.02) << name;
+    }
+}
+
 TEST(PathFurnace, GivesBackAllThatPhongTakesSeenFromStraightAbove) {
     for (const double exponent : {0.0, 1.0, 10.0, 1000.0, 1e6}) {
         Scene scene = testing::dark_scene();

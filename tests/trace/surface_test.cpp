@@ -152,17 +152,17 @@ TEST(Surface, OfAHeightfieldHasItsTrianglesNormalAndASmoothOne) {
     Scene scene = testing::empty_scene();
     testing::add(scene, slope(), Lambert{});
     for (const double side : {1.0, -1.0}) {
-        const Surface surface = met(scene, {{1.25, side * 9, 2.25}, {0, -side, 0}});
-        EXPECT_NEAR(surface.position.y, 2 + 0.25 * 2 + 0.25 * 1, 1e-12);
+        const Surface surface = met(scene, {{1.25, side * 9, 1.25}, {0, -side, 0}});
+        EXPECT_NEAR(surface.position.y, 1 + 0.25 + 0.25, 1e-12);
         EXPECT_EQ(surface.front, side > 0);
-        const Vec3d flat = side * glm::normalize(Vec3d(-2, 1, -1));
+        const Vec3d flat = side * glm::normalize(Vec3d(-1, 1, -1));
         EXPECT_NEAR(glm::length(surface.geometric_normal - flat), 0, 1e-12);
         const Heightfield field = slope();
-        const Vec3d upper = 0.75 * field.normal(1, 2) + 0.25 * field.normal(2, 2);
-        const Vec3d lower = 0.75 * field.normal(1, 3) + 0.25 * field.normal(2, 3);
+        const Vec3d upper = 0.75 * field.normal(1, 1) + 0.25 * field.normal(2, 1);
+        const Vec3d lower = 0.75 * field.normal(1, 2) + 0.25 * field.normal(2, 2);
         const Vec3d smooth = side * glm::normalize(0.75 * upper + 0.25 * lower);
         EXPECT_NEAR(glm::length(surface.normal - smooth), 0, 1e-12);
-        EXPECT_EQ(surface.uv, Vec2d(1.25 / 4, 2.25 / 4));
+        EXPECT_EQ(surface.uv, Vec2d(1.25 / 4, 1.25 / 4));
     }
     // The other triangle of the cell: h = 6 − 3·(2 − x) − 2·(3 − z).
     const Surface other = met(scene, {{1.75, 9, 2.75}, {0, -1, 0}});

@@ -108,6 +108,19 @@ TEST(Whitted, BlendsLayersOverOneAnother) {
     expect_near(seen(scene, down_at_origin).colour, {0.75f, 0.25f, 0});
 }
 
+TEST(Whitted, ShowsEachTriangleInTheMaterialOfItsFile) {
+    Scene scene = lit_floor(Const{.color = {1, 0, 0}});
+    const auto red = static_cast<MaterialId>(scene.materials.size() - 1);
+    scene.materials.emplace_back(Const{.color = {0, 1, 0}});
+    Mesh mesh = testing::mesh_of({{-2, 1, -1}, {2, 1, -1}, {0, 1, 3}, {-2, 1, 9}, {2, 1, 9}},
+                                 {0, 1, 2, 2, 3, 4});
+    mesh.materials = {red + 1, red};
+    testing::add_shape(scene, std::move(mesh));
+    scene.nodes.back().material = materials_of_file;
+    EXPECT_EQ(seen(scene, {{0, 2, 0}, {0, -1, 0}}).colour, Rgb(0, 1, 0));
+    EXPECT_EQ(seen(scene, {{0, 2, 7}, {0, -1, 0}}).colour, Rgb(1, 0, 0));
+}
+
 TEST(Whitted, LightsWithARectLightOnItsLowerSideOnly) {
     Scene scene = lit_floor(Lambert{.color = Rgb(1)});
     scene.lights.clear();
