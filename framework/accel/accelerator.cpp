@@ -1,5 +1,6 @@
 #include "framework/accel/accelerator.h"
 
+#include "framework/accel/bvh.h"
 #include "framework/accel/csg_hit.h"
 #include "framework/accel/mesh_bvh.h"
 #include "framework/accel/node_hit.h"
@@ -18,13 +19,13 @@ double slack_of(const Node& node) {
 }
 
 /// The t at which a ray enters a box that is padded by `slack` times the farthest corner's
-/// distance; NaN when it misses.
-double enter_world_box(const Boxd& box, double slack, const Ray& ray) {
+/// distance; NaN when it misses. `inverses` is 1 / direction.
+double enter_world_box(const Boxd& box, double slack, const Ray& ray, const Vec3d& inverses) {
     const Vec3d lo = box.lo - ray.origin, hi = box.hi - ray.origin;
     const double padding = slack * std::max(max_norm(lo), max_norm(hi));
     double near = ray.t_min, far = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
-        const double inverse = 1 / ray.direction[axis];
+        const double inverse = inverses[axis];
         const double one = (lo[axis] - padding) * inverse, other = (hi[axis] + padding) * inverse;
         // Comparisons with NaN (a ray in the face of a box) are false and keep the old bound.
         const double first = std::signbit(inverse) ? other : one;
@@ -35,12 +36,73 @@ double enter_world_box(const Boxd& box, double slack, const Ray& ray) {
     return near <= far ? near : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// The limit of a ray that looks for nothing, or that is blocked.
+constexpr float nothing = -std::numeric_limits<float>::infinity();
+
+/// The directions of a packet's rays, for the same test of a box at once.
+class PacketBounds {
+ public:
+    explicit PacketBounds(const RayPacket& rays) : origin_(rays.origin), t_min_(rays.t_min) {
+        const double* directions[3] = {rays.x, rays.y, rays.z};
+        for (int axis = 0; axis < 3; ++axis) {
+            double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+            for (int i = 0; i < rays.count; ++i) {
+                lo = std::min(lo, directions[axis][i]);
+                hi = std::max(hi, directions[axis][i]);
+            }
+            lo_[axis] = lo;
+            hi_[axis] = hi;
+        }
+    }
+
+    /// No ray of the packet enters the padded box before this t; NaN when all miss it.
+    [[nodiscard]] double enter(const Boxd& box, double slack) const {
+        const Vec3d lo = box.lo - origin_, hi = box.hi - origin_;
+        const double padding = slack * std::max(max_norm(lo), max_norm(hi));
+        double near = t_min_, far = std::numeric_limits<double>::infinity();
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool positive = lo_[axis] > 0;
+            if (!positive && !(hi_[axis] < 0)) continue;  // some ray may run along the box
+            const double first = positive ? lo[axis] - padding : hi[axis] + padding;
+            const double last = positive ? hi[axis] + padding : lo[axis] - padding;
+            near = std::max(near, std::min(first / lo_[axis], first / hi_[axis]));
+            far = std::min(far, std::max(last / lo_[axis], last / hi_[axis]));
+        }
+        // The divisions are rounded; slack covers far more than that on the way in and out.
+        return near <= far ? near : std::numeric_limits<double>::quiet_NaN();
+    }
+
+ private:
+    Vec3d origin_;
+    double t_min_;
+    double lo_[3], hi_[3];
+};
+
+/// What the rays of a packet look for at first: hits before their t_max, when there can be any.
+void set_limits(const RayPacket& rays, float* limits) {
+    for (int i = 0; i < rays.count; ++i) {
+        const float t_max = rays.t_max[i];
+        limits[i] = t_max > rays.t_min ? t_max : nothing;
+    }
+    std::fill(limits + rays.count, limits + RayPacket::capacity, nothing);
+}
+
+/// The largest of a packet's limits.
+float largest(const float* limits) {
+    std::array<float, 16> most;
+    most.fill(nothing);
+    for (int i = 0; i < RayPacket::capacity; i += 16) {
+        for (int k = 0; k < 16; ++k) most[k] = most[k] < limits[i + k] ? limits[i + k] : most[k];
+    }
+    return *std::max_element(most.begin(), most.end());
+}
+
 class BvhAccelerator final : public Accelerator {
  public:
-    explicit BvhAccelerator(const Scene& scene) : scene_(&scene), meshes_(scene.geometries.size()) {
+    BvhAccelerator(const Scene& scene, Isa isa) : scene_(&scene), meshes_(scene.geometries.size()) {
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
             if (const auto* mesh = std::get_if<Mesh>(&scene.geometries[i]))
-                meshes_[i].emplace(*mesh);
+                meshes_[i].emplace(*mesh, isa);
         }
         sort_nodes();
     }
@@ -59,6 +121,52 @@ class BvhAccelerator final : public Accelerator {
 
     bool occluded(const Ray& ray, WorkCounts& work) const override {
         return static_cast<bool>(search(ray, true, work));
+    }
+
+    void closest(const RayPacket& rays, HitPacket& hits, WorkCounts& work) const override {
+        set_limits(rays, hits.t);
+        std::fill(hits.u, hits.u + RayPacket::capacity, 0.0f);
+        std::fill(hits.v, hits.v + RayPacket::capacity, 0.0f);
+        std::fill(hits.node, hits.node + RayPacket::capacity, no_node);
+        std::fill(hits.primitive, hits.primitive + RayPacket::capacity, 0u);
+        const auto visit = [&](NodeId id) {
+            if (const auto& mesh = meshes_[scene_->nodes[id].geometry]) {
+                mesh->closest(rays, scene_->nodes[id], id, hits, work);
+                return;
+            }
+            for (int i = 0; i < rays.count; ++i) {
+                if (hits.t[i] == nothing || !is_sound(rays.ray(i))) continue;
+                Hit best = hits.hit(i);
+                if (improve_with_node(id, rays.ray(i), false, best, work)) hits.set(i, best);
+            }
+        };
+        each_node(rays, hits.t, visit, work);
+        for (int i = 0; i < rays.count; ++i) {
+            const float t = hits.t[i];
+            hits.t[i] = hits.node[i] == no_node ? std::numeric_limits<float>::infinity() : t;
+        }
+    }
+
+    void occluded(const RayPacket& rays, std::span<std::uint8_t> blocked,
+                  WorkCounts& work) const override {
+        alignas(64) float limits[RayPacket::capacity];
+        set_limits(rays, limits);
+        const auto visit = [&](NodeId id) {
+            if (const auto& mesh = meshes_[scene_->nodes[id].geometry]) {
+                mesh->occluded(rays, scene_->nodes[id], limits, work);
+                return;
+            }
+            for (int i = 0; i < rays.count; ++i) {
+                const Ray ray = rays.ray(i);
+                if (limits[i] == nothing || !is_sound(ray)) continue;
+                Hit best = no_hit_before(ray);
+                if (improve_with_node(id, ray, true, best, work)) limits[i] = nothing;
+            }
+        };
+        each_node(rays, limits, visit, work);
+        for (int i = 0; i < rays.count; ++i) {
+            blocked[i] = limits[i] == nothing && rays.t_max[i] > rays.t_min ? 1 : 0;
+        }
     }
 
     std::uint64_t bytes() const override {
@@ -105,10 +213,15 @@ class BvhAccelerator final : public Accelerator {
         for (const NodeId node : unbounded_) {
             if (improve_with_node(node, ray, any, best, work) && any) return best;
         }
+        if (bounded_.size() == 1) {  // its own tree says no as quickly as its box
+            improve_with_node(bounded_[0], ray, any, best, work);
+            return best;
+        }
+        const Vec3d inverses = 1.0 / ray.direction;
         world_.walk(
             [&](std::uint32_t index) {
                 ++work.boxes;
-                return enter_world_box(world_.nodes()[index].box, slack_[index], ray);
+                return enter_world_box(world_.nodes()[index].box, slack_[index], ray, inverses);
             },
             [&] { return static_cast<double>(best.t); },
             [&](const Bvh<Boxd>::Node& leaf) {
@@ -121,19 +234,44 @@ class BvhAccelerator final : public Accelerator {
         return best;
     }
 
+    /// Calls visit(node) for every node that some ray of the packet may meet before its limit.
+    template <class Visit>
+    void each_node(const RayPacket& rays, const float* limits, Visit&& visit,
+                   WorkCounts& work) const {
+        if (!all_finite(rays.origin)) return;
+        for (const NodeId node : unbounded_) visit(node);
+        const PacketBounds bounds(rays);
+        double limit = largest(limits);
+        world_.walk(
+            [&](std::uint32_t index) {
+                ++work.boxes;
+                return bounds.enter(world_.nodes()[index].box, slack_[index]);
+            },
+            [&] { return limit; },
+            [&](const Bvh<Boxd>::Node& leaf) {
+                for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+                    visit(bounded_[world_.order()[i]]);
+                }
+                limit = largest(limits);
+                return false;
+            });
+    }
+
     bool improve_with_node(NodeId id, const Ray& ray, bool any, Hit& best, WorkCounts& work) const {
         const Node& node = scene_->nodes[id];
         const Ray object = to_object(ray, node);
-        const Hit before = best;
         if (const auto& mesh = meshes_[node.geometry]) {
-            mesh->closest(object_ray(object), id, any, best, work);
-        } else {
-            const auto in_mesh = [&](GeometryId geometry, const Mesh&, const ObjectRay& in_frame,
-                                     Crossings& crossings) {
-                meshes_[geometry]->find_crossings(in_frame, crossings, work);
-            };
-            improve_with_shape(*scene_, node.geometry, object, id, best, work, in_mesh);
+            if (!any) return mesh->closest(object_ray(object), id, best, work);
+            if (!mesh->occluded(object_ray(object), work)) return false;
+            best.node = id;
+            return true;
         }
+        const Hit before = best;
+        const auto in_mesh = [&](GeometryId geometry, const Mesh&, const ObjectRay& in_frame,
+                                 Crossings& crossings) {
+            meshes_[geometry]->find_crossings(in_frame, crossings, work);
+        };
+        improve_with_shape(*scene_, node.geometry, object, id, best, work, in_mesh);
         return !(best == before);
     }
 
@@ -146,8 +284,8 @@ class BvhAccelerator final : public Accelerator {
 
 }  // namespace
 
-std::unique_ptr<Accelerator> build_accelerator(const Scene& scene) {
-    return std::make_unique<BvhAccelerator>(scene);
+std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa) {
+    return std::make_unique<BvhAccelerator>(scene, isa);
 }
 
 }  // namespace luch

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "framework/accel/isa.h"
+#include "framework/accel/packet.h"
 #include "framework/math/ray.h"
 #include "framework/scene/scene.h"
 
@@ -33,13 +35,17 @@ class Accelerator {
     virtual Hit closest_in(NodeId node, const Ray& ray, WorkCounts& work) const = 0;
     /// Whether anything at all is hit.
     virtual bool occluded(const Ray& ray, WorkCounts& work) const = 0;
+    /// The same for a packet: hits of all its rays, in order; 1 where anything is hit, else 0.
+    virtual void closest(const RayPacket& rays, HitPacket& hits, WorkCounts& work) const = 0;
+    virtual void occluded(const RayPacket& rays, std::span<std::uint8_t> blocked,
+                          WorkCounts& work) const = 0;
     /// Memory held, in bytes.
     virtual std::uint64_t bytes() const = 0;
 };
 
 /// Binned-SAH BVHs over the triangles of every mesh, and one over the nodes. Keeps a reference to
-/// the scene, which must outlive it.
-std::unique_ptr<Accelerator> build_accelerator(const Scene& scene);
+/// the scene, which must outlive it. The hits are the same whatever the instructions.
+std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa = parsed_isa(""));
 
 /// The oracle: tests every primitive of every node. Slow on purpose.
 Hit closest_brute(const Scene& scene, const Ray& ray);

@@ -26,6 +26,18 @@ TripleProduct triple_product(const Vec3& a, const Vec3& b, const Vec3& d) {
     return {value, std::abs(value) > bound};
 }
 
+/// (a × b) · d as (a × (b − a)) · d, whose terms are smaller by the ratio of edge to distance, and
+/// with them the error; the subtraction adds one rounding to the five. The last term makes sure
+/// that what is certain here is certain in double as well.
+TripleProduct edge_product(const Vec3& a, const Vec3& b, const Vec3& d) {
+    TripleProduct product = triple_product(a, b - a, d);
+    const float size = std::max(max_norm(a), max_norm(b));
+    const Vec3 lengths = glm::abs(d);
+    const float least = 0x1p-46f * size * size * (lengths.x + lengths.y + lengths.z);
+    product.certain = product.certain && std::abs(product.value) > least;
+    return product;
+}
+
 /// The same in double: products of two floats are exact there.
 TripleProduct certain_triple_product(const Vec3d& a, const Vec3d& b, const Vec3d& d) {
     const double yz = a.y * b.z, zy = a.z * b.y;
@@ -53,15 +65,11 @@ float plane_t(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& 
     return static_cast<float>(glm::dot(normal, Vec3d(p0) - Vec3d(ray.origin)) / slope);
 }
 
-float sum_of_products(const Vec3& a, const Vec3& b, const Vec3& d) {
-    return (a.y * b.z - a.z * b.y) * d.x + (a.z * b.x - a.x * b.z) * d.y +
-           (a.x * b.y - a.y * b.x) * d.z;
-}
-
-/// part/whole within 0..limit; 0 where it cannot be said.
-float share(float part, float whole, float limit) {
-    const float share = part / whole;
-    return share > 0 ? std::min(share, limit) : 0;
+/// The value of the edge from a to b.
+float edge_value(const Vec3& a, const Vec3& b, const Vec3& d) {
+    const Vec3 e = b - a;
+    return (a.y * e.z - a.z * e.y) * d.x + (a.z * e.x - a.x * e.z) * d.y +
+           (a.x * e.y - a.y * e.x) * d.z;
 }
 
 }  // namespace
@@ -72,7 +80,7 @@ ObjectRay object_ray(const Ray& ray) {
 }
 
 int edge_sign(const Vec3& a, const Vec3& b, const Vec3& d) {
-    TripleProduct product = triple_product(a, b, d);
+    TripleProduct product = edge_product(a, b, d);
     if (!product.certain) product = certain_triple_product(Vec3d(a), Vec3d(b), Vec3d(d));
     if (!product.certain) return 0;
     return product.value > 0 ? 1 : -1;
@@ -97,12 +105,11 @@ bool intersect_triangle(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, co
     const float t = std::clamp(plane_t(ray, p0, p1, p2, a0), inside.near, inside.far);
     if (!(t > ray.t_min && t < ray.t_max)) return false;
 
-    const float weight0 = sum_of_products(a1, a2, ray.direction);
-    const float weight1 = sum_of_products(a2, a0, ray.direction);
-    const float weight2 = sum_of_products(a0, a1, ray.direction);
-    const float whole = weight0 + weight1 + weight2;
-    const float u = share(weight1, whole, 1);
-    hit = {t, u, share(weight2, whole, 1 - u)};
+    const float weight0 = edge_value(a1, a2, ray.direction);
+    const float weight1 = edge_value(a2, a0, ray.direction);
+    const float weight2 = edge_value(a0, a1, ray.direction);
+    const Barycentric at = barycentric(weight0, weight1, weight2);
+    hit = {t, at.u, at.v};
     return true;
 }
 

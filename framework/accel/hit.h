@@ -59,6 +59,21 @@ struct TriangleHit {
     float t, u, v;
 };
 
+/// The weights of a triangle's second and third corner, from the three values (a × b) · d of its
+/// edges; 0 where they cannot be said.
+struct Barycentric {
+    float u, v;
+};
+[[nodiscard]] inline Barycentric barycentric(float weight0, float weight1, float weight2) {
+    const auto share = [](float part, float whole, float limit) {
+        const float ratio = part / whole;
+        return ratio > 0 ? std::min(ratio, limit) : 0;
+    };
+    const float whole = weight0 + weight1 + weight2;
+    const float u = share(weight1, whole, 1);
+    return {u, share(weight2, whole, 1 - u)};
+}
+
 /// The one triangle test. A hit unless two edge signs are opposite (0 counts for both neighbours),
 /// so no ray slips between triangles that share an edge or a corner; n · d = 0 is a miss. t is
 /// clamped to the slab interval of the triangle's own box. A hit needs t_min < t < t_max. Returns

@@ -1,63 +1,35 @@
 #include "framework/accel/mesh_bvh.h"
 
+#include "framework/accel/wide/build.h"
+
 namespace luch {
-namespace {
-
-Bvh<Box> bvh_of(const Mesh& mesh) {
-    std::vector<Box> boxes(mesh.triangles.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) boxes[i] = mesh.box(i);
-    return Bvh<Box>(boxes);
-}
-
-/// For Bvh::walk.
-auto enter_node(const Bvh<Box>& bvh, const ObjectRay& ray, WorkCounts& work) {
-    return [&](std::uint32_t index) {
-        ++work.boxes;
-        const Interval in = slab(bvh.nodes()[index].box, ray);
-        return in.near <= in.far && in.far > ray.t_min ? in.near
-                                                       : std::numeric_limits<float>::quiet_NaN();
-    };
-}
-
-}  // namespace
-
-MeshBvh::MeshBvh(const Mesh& mesh) : bvh_(bvh_of(mesh)), cull_backfaces_(mesh.cull_backfaces) {
-    triangles_.reserve(mesh.triangles.size());
-    for (const std::uint32_t i : bvh_.order()) {
-        triangles_.push_back({mesh.corner(i, 0), mesh.corner(i, 1), mesh.corner(i, 2), i});
-    }
-}
-
-void MeshBvh::closest(const ObjectRay& ray, NodeId node, bool any, Hit& best,
-                      WorkCounts& work) const {
-    const auto leaf = [&](const Bvh<Box>::Node& at) {
-        work.primitives += at.count;
-        bool found = false;
-        for (std::uint32_t i = at.first; i < at.first + at.count; ++i) {
-            const Triangle& triangle = triangles_[i];
-            found |= improve(ray, triangle.p0, triangle.p1, triangle.p2, cull_backfaces_, node,
-                             triangle.id, best);
-        }
-        return any && found;
-    };
-    bvh_.walk(
-        enter_node(bvh_, ray, work), [&] { return best.t; }, leaf);
-}
+MeshBvh::MeshBvh(const Mesh& mesh, Isa isa)
+    : tree_(wide::built(mesh, isa)), kernels_(&wide::kernels(isa)) {}
 
 void MeshBvh::find_crossings(const ObjectRay& ray, Crossings& crossings, WorkCounts& work) const {
-    const auto leaf = [&](const Bvh<Box>::Node& at) {
-        work.primitives += at.count;
-        for (std::uint32_t i = at.first; i < at.first + at.count; ++i) {
-            const Triangle& triangle = triangles_[i];
-            TriangleHit hit;
-            if (cross_triangle(ray, triangle.p0, triangle.p1, triangle.p2, hit)) {
-                crossings.add(hit, triangle.id);
+    std::array<std::uint32_t, wide::max_depth * wide::node_width> stack;
+    int size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+        const std::uint32_t child = stack[--size];
+        if ((child & wide::leaf_bit) != 0) {
+            const wide::Block& block = tree_.blocks[child & ~wide::leaf_bit];
+            for (int k = 0; k < block.count(); ++k) {
+                TriangleHit hit;
+                const bool crosses = cross_triangle(ray, block.point(0, k), block.point(1, k),
+                                                    block.point(2, k), hit);
+                ++work.primitives;
+                if (crosses) crossings.add(hit, block.id[k]);
             }
+            continue;
         }
-        return false;
-    };
-    bvh_.walk(
-        enter_node(bvh_, ray, work), [] { return std::numeric_limits<float>::infinity(); }, leaf);
+        const wide::Node& node = tree_.nodes[child];
+        for (int slot = 0; (node.used >> slot & 1) != 0; ++slot) {
+            ++work.boxes;
+            const Interval in = slab(node.box(slot), ray);
+            if (in.near <= in.far && in.far > ray.t_min) stack[size++] = node.child[slot];
+        }
+    }
 }
 
 bool improve(const ObjectRay& ray, const Vec3& p0, const Vec3& p1, const Vec3& p2,

@@ -4,7 +4,8 @@
 
 namespace luch {
 
-// One file each: compare.cpp, doctor.cpp, lab.cpp, list.cpp, plan.cpp, render.cpp, view.cpp.
+// One file each: bench.cpp, compare.cpp, doctor.cpp, lab.cpp, list.cpp, plan.cpp, render.cpp, view.cpp.
+std::unique_ptr<Verb> make_bench();
 std::unique_ptr<Verb> make_compare();
 std::unique_ptr<Verb> make_doctor();
 std::unique_ptr<Verb> make_lab();

@@ -27,8 +27,13 @@ Stage stage(std::string name, bool needed, std::string because_needed, std::stri
 
 template <class Work>
 void for_each_pixel(const Tile& tile, Work&& work) {
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) work(x, y);
+    constexpr int block = 4;
+    for (int y0 = tile.y0; y0 < tile.y1; y0 += block) {
+        for (int x0 = tile.x0; x0 < tile.x1; x0 += block) {
+            for (int y = y0; y < std::min(y0 + block, tile.y1); ++y) {
+                for (int x = x0; x < std::min(x0 + block, tile.x1); ++x) work(x, y);
+            }
+        }
     }
 }
 

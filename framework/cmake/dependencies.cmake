@@ -4,6 +4,7 @@ find_package(TBB REQUIRED)
 find_package(OpenImageIO REQUIRED)
 find_package(fmt REQUIRED)
 find_package(SDL2 REQUIRED)
+find_package(embree 3 QUIET)
 
 # OpenImageIO's configuration names a folder of OpenCV headers that need not exist.
 get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)

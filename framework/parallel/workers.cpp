@@ -3,6 +3,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/task_arena.h>
 
 namespace luch {
@@ -48,6 +49,10 @@ void Workers::for_each_tile(Size size, int side, const std::function<void(Tile, 
             work({x, y, std::min(x + side, size.width), std::min(y + side, size.height)}, worker);
         },
         cancel);
+}
+
+void run_both(const std::function<void()>& one, const std::function<void()>& other) {
+    tbb::parallel_invoke(one, other);
 }
 
 }  // namespace luch

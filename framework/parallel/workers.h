@@ -46,4 +46,8 @@ class Workers {
     int count_ = 1;
 };
 
+/// Runs both, at once where a thread is free, and returns when both are done. For work that divides
+/// itself; runs in the pool of the caller, if it is called from one.
+void run_both(const std::function<void()>& one, const std::function<void()>& other);
+
 }  // namespace luch

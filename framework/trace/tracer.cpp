@@ -3,12 +3,53 @@
 #include <cassert>
 
 namespace luch {
+namespace {
+
+/// Fewer rays than this are not worth a packet.
+constexpr std::size_t fewest = 32;
+
+/// Whether rays can share packets: one origin and one t_min.
+bool go_together(std::span<const Ray> rays) {
+    if (rays.size() < fewest) return false;
+    for (const Ray& ray : rays) {
+        if (ray.origin != rays[0].origin || ray.t_min != rays[0].t_min) return false;
+    }
+    return true;
+}
+
+/// Fills packets with rays that go together, in their order; calls work(first ray, how many).
+template <class Work>
+void each_packet(std::span<const Ray> rays, RayPacket& packet, Work&& work) {
+    packet.origin = rays[0].origin;
+    packet.t_min = rays[0].t_min;
+    for (std::size_t first = 0; first < rays.size(); first += RayPacket::capacity) {
+        const std::size_t count = std::min<std::size_t>(RayPacket::capacity, rays.size() - first);
+        packet.count = 0;
+        for (const Ray& ray : rays.subspan(first, count)) packet.add(ray.direction, ray.t_max);
+        work(first, count);
+    }
+}
+
+}  // namespace
+
+void Tracer::closest_in_packets(std::span<const Ray> rays, std::span<Hit> hits) {
+    RayPacket packet;
+    HitPacket found;
+    each_packet(rays, packet, [&](std::size_t first, std::size_t count) {
+        accelerator_->closest(packet, found, counts_.work);
+        for (std::size_t i = 0; i < count; ++i) hits[first + i] = found.hit(static_cast<int>(i));
+    });
+}
 
 void Tracer::closest(RayKind kind, std::span<const Ray> rays, std::span<Hit> hits) {
     assert(rays.size() == hits.size());
     counts_.of(kind) += rays.size();
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        hits[i] = accelerator_->closest(rays[i], counts_.work);
+    if (go_together(rays)) {
+        closest_in_packets(rays, hits);
+    } else {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            hits[i] = accelerator_->closest(rays[i], counts_.work);
+        }
     }
     if (log_ != nullptr) log_->closest(kind, rays, hits);
 }
@@ -22,8 +63,15 @@ Hit Tracer::closest(RayKind kind, const Ray& ray) {
 void Tracer::occluded(RayKind kind, std::span<const Ray> rays, std::span<std::uint8_t> blocked) {
     assert(rays.size() == blocked.size());
     counts_.of(kind) += rays.size();
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        blocked[i] = accelerator_->occluded(rays[i], counts_.work) ? 1 : 0;
+    if (go_together(rays)) {
+        RayPacket packet;
+        each_packet(rays, packet, [&](std::size_t first, std::size_t count) {
+            accelerator_->occluded(packet, blocked.subspan(first, count), counts_.work);
+        });
+    } else {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            blocked[i] = accelerator_->occluded(rays[i], counts_.work) ? 1 : 0;
+        }
     }
     if (log_ != nullptr) record_shadows(kind, rays, blocked);
 }

@@ -13,7 +13,8 @@ class Tracer {
  public:
     explicit Tracer(const Accelerator& accelerator) : accelerator_(&accelerator) {}
 
-    /// The nearest hit of every ray.
+    /// The nearest hit of every ray. Many rays of one origin go in packets, which are quick when
+    /// each sixteen of them are neighbours: blocks of 4 × 4 pixels. The answers are the same.
     void closest(RayKind kind, std::span<const Ray> rays, std::span<Hit> hits);
     [[nodiscard]] Hit closest(RayKind kind, const Ray& ray);
 
@@ -33,6 +34,7 @@ class Tracer {
     [[nodiscard]] RayLog* log() const { return log_; }
 
  private:
+    void closest_in_packets(std::span<const Ray> rays, std::span<Hit> hits);
     void record_shadows(RayKind kind, std::span<const Ray> rays,
                         std::span<const std::uint8_t> blocked) const;
     const Accelerator* accelerator_;

@@ -1,0 +1,276 @@
+#pragma once
+
+#include "framework/accel/accelerator.h"
+#include "framework/accel/wide/lanes.h"
+#include "framework/accel/wide/tree.h"
+
+#include <bit>
+
+// One ray through the tree, eight boxes or four triangles at a time. Only kernel files include
+// this; nothing here has linkage.
+namespace luch::wide {
+namespace {
+
+using Four = Lanes<block_width>;
+using Eight = Lanes<node_width>;
+
+template <class T>
+LUCH_INLINE Three<T> all(const Vec3& v) {
+    return {T(v.x), T(v.y), T(v.z)};
+}
+
+/// What one search found so far, and how far it still looks.
+struct Search {
+    Hit best;
+    float weights[3] = {0, 0, 0};  ///< the edge values of best
+    bool improved = false;
+    std::uint64_t boxes = 0, primitives = 0;
+};
+
+/// A ray against the four triangles of a block.
+class BlockTest {
+ public:
+    BlockTest(const ObjectRay& ray, NodeId node, bool cull_backfaces)
+        : ray_(ray),
+          node_(node),
+          cull_(cull_backfaces),
+          origin_(all<Four>(ray.origin)),
+          direction_(all<Four>(ray.direction)),
+          sum_(std::abs(ray.direction.x) + std::abs(ray.direction.y) + std::abs(ray.direction.z)) {}
+
+    /// Improves the search; true when it did.
+    LUCH_INLINE bool operator()(const Block& block, Search& search) const {
+        const Edges e(block, origin_, direction_);
+        const Four size = size_of(e.a[0], Four::load(block.edge));
+        const Four bound = sign_bound(size, Four::load(block.edge), Four(sum_));
+        const Four least = min_or(e.w[0], min_or(e.w[1], e.w[2]));
+        const Four most = max_or(e.w[0], max_or(e.w[1], e.w[2]));
+        const Four minus_bound = Four(0.0f) - bound;
+        const unsigned maybe = ~((least < minus_bound) & (bound < most)) & 0xfu;
+        if (maybe == 0) return false;
+        const unsigned positive = bound < least;
+        const unsigned certain = positive | (most < minus_bound);
+        return finish(block, e, maybe, certain, cull_ ? positive : 0u, search);
+    }
+
+ private:
+    /// Corners relative to the origin, and the values of the edges opposite to them.
+    struct Edges {
+        Three<Four> a[3];
+        Four w[3];
+
+        LUCH_INLINE Edges(const Block& block, const Three<Four>& origin,
+                          const Three<Four>& direction) {
+            for (int k = 0; k < 3; ++k) a[k] = minus(corner(block, k), origin);
+            w[0] = dot(cross(a[1], minus(a[2], a[1])), direction);
+            w[1] = dot(cross(a[2], minus(a[0], a[2])), direction);
+            w[2] = dot(cross(a[0], minus(a[1], a[0])), direction);
+        }
+    };
+
+    LUCH_INLINE static Three<Four> corner(const Block& block, int k) {
+        return {Four::load(block.corner[3 * k]), Four::load(block.corner[3 * k + 1]),
+                Four::load(block.corner[3 * k + 2])};
+    }
+
+    /// The distance of those that the edges let through.
+    LUCH_INLINE bool finish(const Block& block, const Edges& e, unsigned maybe, unsigned certain,
+                            unsigned culled, Search& search) const {
+        const Three<Four> p0 = corner(block, 0);
+        const Three<Four> edge1 = minus(corner(block, 1), p0), edge2 = minus(corner(block, 2), p0);
+        const Three<Four> normal = cross(edge1, edge2);
+        const Four above = dot(normal, e.a[0]), along = dot(normal, direction_);
+        const Four size = Four::load(block.edge);
+        certain &= (sign_bound(size, size, sum_of_sizes(e.a[0])) < abs(above)) &
+                   (sign_bound(size, size, Four(sum_)) < abs(along));
+        const Three<Four> lo = lower(e.a[0], lower(e.a[1], e.a[2]));
+        const Three<Four> hi = upper(e.a[0], upper(e.a[1], e.a[2]));
+        Four near(-std::numeric_limits<float>::infinity());
+        Four far(std::numeric_limits<float>::infinity());
+        clip(lo.x, hi.x, ray_.direction.x, ray_.inverse.x, near, far);
+        clip(lo.y, hi.y, ray_.direction.y, ray_.inverse.y, near, far);
+        clip(lo.z, hi.z, ray_.direction.z, ray_.inverse.z, near, far);
+        far = max_or(far * Four(far_padding), far);
+        const Four t = min_or(far, max_or(near, above / along));
+        const unsigned hit = maybe & certain & ~culled & (near <= far) & (Four(ray_.t_min) < t) &
+                             (t < Four(ray_.t_max)) & (t <= Four(search.best.t));
+        const unsigned doubtful = maybe & ~certain;
+        if ((hit | doubtful) == 0) return false;
+        Lines lines;
+        t.store(lines.t);
+        for (int k = 0; k < 3; ++k) e.w[k].store(lines.w[k]);
+        return take(block, hit, doubtful, lines, search);
+    }
+
+    /// Distances and edge values of the four, for picking one.
+    struct Lines {
+        alignas(16) float t[block_width];
+        alignas(16) float w[3][block_width];
+    };
+
+    LUCH_INLINE static void clip(const Four& lo, const Four& hi, float direction, float inverse,
+                                 Four& near, Four& far) {
+        const bool negative = std::signbit(direction);
+        near = max_or((negative ? hi : lo) * Four(inverse), near);
+        far = min_or((negative ? lo : hi) * Four(inverse), far);
+    }
+
+    bool take(const Block& block, unsigned hit, unsigned doubtful, const Lines& lines,
+              Search& search) const {
+        bool improved = false;
+        for (; hit != 0; hit &= hit - 1) {
+            const int lane = std::countr_zero(hit);
+            improved |= keep(block, lane, lines.t[lane], lines, search);
+        }
+        for (; doubtful != 0; doubtful &= doubtful - 1) {
+            const int lane = std::countr_zero(doubtful);
+            TriangleHit found;
+            if (!intersect_triangle(ray_, block.point(0, lane), block.point(1, lane),
+                                    block.point(2, lane), cull_, found)) {
+                continue;
+            }
+            improved |= keep(block, lane, found.t, lines, search);
+        }
+        return improved;
+    }
+
+    bool keep(const Block& block, int lane, float t, const Lines& lines, Search& search) const {
+        const Hit hit{.t = t, .node = node_, .primitive = block.id[lane]};
+        if (!nearer(hit, search.best)) return false;
+        search.best = hit;
+        search.improved = true;
+        for (int k = 0; k < 3; ++k) search.weights[k] = lines.w[k][lane];
+        return true;
+    }
+
+    const ObjectRay& ray_;
+    NodeId node_;
+    bool cull_;
+    Three<Four> origin_, direction_;
+    float sum_;
+};
+
+/// A ray against the eight boxes of a node: the one slab formula, or a little more than it gives.
+/// The far side is padded through the inverse, by more than far_padding; where a t below 0 counts,
+/// which that would push the wrong way, as the formula has it.
+class NodeTest {
+ public:
+    explicit NodeTest(const ObjectRay& ray)
+        : origin_(all<Eight>(ray.origin)), inverse_(all<Eight>(ray.inverse)), t_min_(ray.t_min) {
+        const float padding = ray.t_min >= 0 ? 1 + 0x1p-20f : 1;
+        padded_ = {inverse_.x * padding, inverse_.y * padding, inverse_.z * padding};
+        behind_ = !(ray.t_min >= 0);
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool negative = std::signbit(ray.direction[axis]);
+            near_[axis] = (negative ? axis + 3 : axis) * node_width;
+            far_[axis] = (negative ? axis : axis + 3) * node_width;
+        }
+    }
+
+    /// A bit for every child that the ray may meet before `limit`; near: where it enters them.
+    /// Where a side gives NaN another may be lost with it, which keeps more.
+    LUCH_INLINE unsigned operator()(const Node& node, float limit, float* near) const {
+        const float* bounds = node.bounds[0];
+        const auto side = [&](int which, const Eight& o, const Eight& i) {
+            return (Eight::load(bounds + which) - o) * i;
+        };
+        const Eight in = max_or(
+            max_or(side(near_[0], origin_.x, inverse_.x), side(near_[1], origin_.y, inverse_.y)),
+            max_or(side(near_[2], origin_.z, inverse_.z), Eight(t_min_)));
+        const Eight far_x = side(far_[0], origin_.x, padded_.x);
+        const Eight far_y = side(far_[1], origin_.y, padded_.y);
+        const Eight far_z = side(far_[2], origin_.z, padded_.z);
+        in.store(near);
+        if (behind_) {
+            const Eight out = min_or(far_x, min_or(far_y, min_or(far_z, Eight(infinity))));
+            const Eight padded = max_or(out * Eight(far_padding), out);
+            return (in <= min_or(padded, Eight(limit))) & node.used;
+        }
+        return (in <= min_or(min_or(far_x, far_y), min_or(far_z, Eight(limit)))) & node.used;
+    }
+
+ private:
+    static constexpr float infinity = std::numeric_limits<float>::infinity();
+    Three<Eight> origin_, inverse_, padded_;
+    float t_min_;
+    bool behind_;
+    int near_[3], far_[3];
+};
+
+struct Entry {
+    float near;
+    std::uint32_t child;
+};
+
+/// Pushes all children but the nearest, the farther deeper; returns the nearest.
+LUCH_INLINE std::uint32_t push_sorted(const Node& node, unsigned mask, const float* near,
+                                      Entry* stack, int& size) {
+    Entry first{near[std::countr_zero(mask)], node.child[std::countr_zero(mask)]};
+    const int base = size;
+    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+        const int i = std::countr_zero(mask);
+        Entry entry{near[i], node.child[i]};
+        if (entry.near < first.near) std::swap(entry, first);
+        int at = size++;
+        for (; at > base && stack[at - 1].near < entry.near; --at) stack[at] = stack[at - 1];
+        stack[at] = entry;
+    }
+    return first.child;
+}
+
+template <bool any>
+void search_tree(const Tree& tree, const ObjectRay& ray, NodeId node_id, Search& search) {
+    const NodeTest test_node(ray);
+    const BlockTest test_block(ray, node_id, tree.cull_backfaces);
+    Entry stack[max_depth * (node_width - 1) + 1];
+    int size = 0;
+    std::uint32_t child = 0;
+    alignas(32) float near[node_width];
+    for (;;) {
+        while ((child & leaf_bit) == 0) {
+            const Node& node = tree.nodes[child];
+            ++search.boxes;
+            const unsigned mask = test_node(node, search.best.t, near);
+            if (mask == 0) break;
+            child = push_sorted(node, mask, near, stack, size);
+        }
+        if ((child & leaf_bit) != 0) {
+            ++search.primitives;
+            if (test_block(tree.blocks[child & ~leaf_bit], search) && any) return;
+        }
+        do {
+            if (size == 0) return;
+            --size;
+        } while (!(stack[size].near <= search.best.t));
+        child = stack[size].child;
+    }
+}
+
+void count(const Search& search, WorkCounts& work) {
+    work.boxes += search.boxes * node_width;
+    work.primitives += search.primitives * block_width;
+}
+
+bool closest(const Tree& tree, const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) {
+    Search search;
+    search.best = best;
+    search_tree<false>(tree, ray, node, search);
+    count(search, work);
+    if (!search.improved) return false;
+    best = search.best;
+    const Barycentric at = barycentric(search.weights[0], search.weights[1], search.weights[2]);
+    best.u = at.u;
+    best.v = at.v;
+    return true;
+}
+
+bool occluded(const Tree& tree, const ObjectRay& ray, WorkCounts& work) {
+    Search search;
+    search.best = {.t = ray.t_max};
+    search_tree<true>(tree, ray, 0, search);
+    count(search, work);
+    return search.improved;
+}
+
+}  // namespace
+}  // namespace luch::wide
