@@ -12,10 +12,9 @@ tiles=()
 for scene in scenes/*/*.scene; do
     name=$(basename "$scene" .scene)
     "$luch" render "$scene" -o "$work/$name.png"
-    oiiotool "$work/$name.png" --ch R,G,B --fit 320x240 \
-        --fill:color=0,0,0 320x22+0+218 \
-        --text:x=8:y=234:size=15:font=DejaVuSans:color=1,1,1 "$name" -o "$work/$name-tile.png"
+    oiiotool "$work/$name.png" --ch R,G,B --fit:pad=1 320x240 --crop 320x262+0+0 --fullpixels \
+        --text:x=8:y=256:size=15:font=DejaVuSans:color=1,1,1 "$name" -o "$work/$name-tile.png"
     tiles+=("$work/$name-tile.png")
 done
-oiiotool "${tiles[@]}" --mosaic:pad=4 4x$(((${#tiles[@]} + 3) / 4)) \
-    --compression jpeg:88 -o slides-notes/scenes.jpg
+oiiotool "${tiles[@]}" --mosaic:pad=4 5x$(((${#tiles[@]} + 4) / 5)) \
+    --eraseattrib '.*' --nosoftwareattrib --compression jpeg:88 -o slides-notes/scenes.jpg
