@@ -55,7 +55,7 @@ TEST_F(Lights, ReadSpotAndDirectionalLights) {
 }
 
 TEST_F(Lights, KeepADirectionOfAnyLength) {
-    const Scene scene = loaded("DirectionalLight d {\ndirection 0 -1e-29 0\n}").scene;
+    const Scene scene = loaded("DirectionalLight d {\ndirection 0 -1e-200 0\n}").scene;
     EXPECT_EQ(std::get<DirectionalLight>(scene.lights.at(0)).direction, Vec3d(0, -1, 0));
 }
 
@@ -70,6 +70,8 @@ TEST_F(Lights, RefuseConesThatAreTurnedInsideOutAndDirectionsThatPointNowhere) {
 TEST_F(Lights, LightEverythingWithAConstantSky) {
     const Scene scene = loaded("ConstantEnvironment sky {\ncolor 1 2 3\n}", true).scene;
     EXPECT_EQ(sky_radiance(scene, {0.3, -0.2, 5}), Rgb(1, 2, 3));
+    const std::string two = "ConstantEnvironment {\ncolor 1 2 3\n}\nConstantEnvironment {\n}";
+    EXPECT_EQ(sky_radiance(loaded(two).scene, {1, 0, 0}), Rgb(1, 2, 3));
     EXPECT_EQ(answer("ConstantEnvironment a {\n}\nConstantEnvironment b {\n}"),
               "t.scene:3: there is an environment already, and the first one counts; remove one of "
               "the two\n");

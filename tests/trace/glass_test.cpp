@@ -108,8 +108,24 @@ TEST(Refraction, FadesByBeersLawOverTheWayInside) {
     expect_near(seen(scene, straight_down), left(2));
     expect_near(seen(scene, {{0, 5, 0}, glm::normalize(Vec3d(1, -1, 0))}),
                 left(2 * std::sqrt(2.0)));
-    // The length of a ray's direction does not matter.
-    expect_near(seen(scene, {{0, 5, 0}, {0, -20, 0}}), left(2));
+}
+
+TEST(Refraction, FadesNoMoreBehindTheGlass) {
+    Scene scene = under_white_sky();
+    add_slab(scene, {.multiplier = Rgb(1), .ior = 1, .inside_color = Rgb(0), .absorption = 0.5});
+    testing::add(scene, Plane{.y = -7}, Const{.color = Rgb(1)});
+    expect_near(seen(scene, straight_down), Rgb(std::exp(-1.0f)));
+}
+
+TEST(Refraction, FadesByTheWayInWorldUnitsWhateverTheLengthOfTheDirection) {
+    Scene scene = under_white_sky();
+    testing::add(scene, Plane{}, Const{.color = Rgb(1)});
+    const Refraction water{.inside_color = Rgb(0), .absorption = 0.5};
+    const auto accelerator = build_accelerator(scene);
+    Tracer tracer(*accelerator);
+    const Ray long_one{{0, 4, 0}, {0, -8, 0}};
+    expect_near(Whitted(scene, {}, tracer).radiance(RayKind::gi, long_one, Key(1), 0, &water),
+                Rgb(std::exp(-2.0f)));
 }
 
 TEST(Refraction, FadesBeforeAThingThatStandsInside) {
