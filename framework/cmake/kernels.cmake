@@ -12,9 +12,10 @@ function(luch_kernels target)
     set(kernel ${target}_${level})
     add_library(${kernel} OBJECT ${ARGN})
     target_compile_definitions(${kernel} PRIVATE LUCH_LEVEL=${level} NDEBUG)
-    # -Wno-…: GCC 12 warns of its own AVX-512 headers (GCC bug 105593).
-    target_compile_options(${kernel} PRIVATE -O3 -fno-exceptions -Wno-uninitialized
-                                             -Wno-maybe-uninitialized)
+    # -Wno-…: GCC 12 warns of its own AVX-512 headers (GCC bug 105593). Sanitizers would take minutes
+    # for each level to compile.
+    target_compile_options(${kernel} PRIVATE -O3 -fno-exceptions -fno-sanitize=all
+                                             -Wno-uninitialized -Wno-maybe-uninitialized)
     if(level STREQUAL "plain")
       target_compile_definitions(${kernel} PRIVATE LUCH_PLAIN_LANES)
     else()
