@@ -10,20 +10,8 @@
 namespace luch {
 namespace {
 
-Vec3d random_point(Key key, double size) {
-    return size * (2.0 * Vec3d(key.uniform(0), key.uniform(1), key.uniform(2)) - 1.0);
-}
-
-/// A corner of a mesh's triangle, or a point of an edge, in the world.
-Vec3d awkward_point(const Scene& scene, Key key) {
-    const Node& node = scene.nodes[key.bits(0) % scene.nodes.size()];
-    const auto* mesh = std::get_if<Mesh>(&scene.geometries[node.geometry]);
-    if (mesh == nullptr) return node.to_world.point(random_point(key.branch(1), 1));
-    const auto triangle = static_cast<std::uint32_t>(key.bits(2) % mesh->triangles.size());
-    const Vec3d a(mesh->corner(triangle, 0)), b(mesh->corner(triangle, 1));
-    const double along = key.bits(3) % 2 == 0 ? 0 : key.uniform(4);
-    return node.to_world.point(a + along * (b - a));
-}
+using testing::awkward_point;
+using testing::random_point;
 
 /// How the rays of a packet are chosen.
 enum class Aim { coherent, random, awkward, along_axes, extreme };
