@@ -104,12 +104,19 @@ class BvhAccelerator final : public Accelerator {
             if (const auto* mesh = std::get_if<Mesh>(&scene.geometries[i]))
                 meshes_[i].emplace(*mesh, isa);
         }
+        for (const Node& node : scene.nodes) {
+            const auto& mesh = meshes_[node.geometry];
+            mesh_of_.push_back(mesh ? &*mesh : nullptr);
+            frames_.emplace_back(node.to_object);
+        }
         sort_nodes();
     }
 
     Hit closest(const Ray& ray, WorkCounts& work) const override {
-        const Hit best = search(ray, false, work);
-        return best ? best : Hit{};
+        Hit best = no_hit_before(ray);
+        search(ray, false, best, work);
+        if (!best) best = {};
+        return best;
     }
 
     Hit closest_in(NodeId node, const Ray& ray, WorkCounts& work) const override {
@@ -120,7 +127,9 @@ class BvhAccelerator final : public Accelerator {
     }
 
     bool occluded(const Ray& ray, WorkCounts& work) const override {
-        return static_cast<bool>(search(ray, true, work));
+        Hit best = no_hit_before(ray);
+        search(ray, true, best, work);
+        return static_cast<bool>(best);
     }
 
     void closest(const RayPacket& rays, HitPacket& hits, WorkCounts& work) const override {
@@ -170,7 +179,8 @@ class BvhAccelerator final : public Accelerator {
     }
 
     std::uint64_t bytes() const override {
-        std::uint64_t sum = world_.bytes() + slack_.size() * sizeof(double);
+        std::uint64_t sum = world_.bytes() + slack_.size() * sizeof(double) +
+                            frames_.size() * (sizeof(wide::Frame) + sizeof(MeshBvh*));
         for (const auto& mesh : meshes_) sum += mesh ? mesh->bytes() : 0;
         return sum;
     }
@@ -207,15 +217,15 @@ class BvhAccelerator final : public Accelerator {
         }
     }
 
-    Hit search(const Ray& ray, bool any, WorkCounts& work) const {
-        if (!is_sound(ray)) return {};
-        Hit best = no_hit_before(ray);
+    /// Improves `best`, or finds anything at all.
+    void search(const Ray& ray, bool any, Hit& best, WorkCounts& work) const {
+        if (!is_sound(ray)) return;
         for (const NodeId node : unbounded_) {
-            if (improve_with_node(node, ray, any, best, work) && any) return best;
+            if (improve_with_node(node, ray, any, best, work) && any) return;
         }
         if (bounded_.size() == 1) {  // its own tree says no as quickly as its box
             improve_with_node(bounded_[0], ray, any, best, work);
-            return best;
+            return;
         }
         const Vec3d inverses = 1.0 / ray.direction;
         world_.walk(
@@ -231,7 +241,6 @@ class BvhAccelerator final : public Accelerator {
                 }
                 return false;
             });
-        return best;
     }
 
     /// Calls visit(node) for every node that some ray of the packet may meet before its limit.
@@ -258,14 +267,14 @@ class BvhAccelerator final : public Accelerator {
     }
 
     bool improve_with_node(NodeId id, const Ray& ray, bool any, Hit& best, WorkCounts& work) const {
-        const Node& node = scene_->nodes[id];
-        const Ray object = to_object(ray, node);
-        if (const auto& mesh = meshes_[node.geometry]) {
-            if (!any) return mesh->closest(object_ray(object), id, best, work);
-            if (!mesh->occluded(object_ray(object), work)) return false;
+        if (const MeshBvh* mesh = mesh_of_[id]) {
+            if (!any) return mesh->closest(frames_[id], ray, id, best, work);
+            if (!mesh->occluded(frames_[id], ray, work)) return false;
             best.node = id;
             return true;
         }
+        const Node& node = scene_->nodes[id];
+        const Ray object = to_object(ray, node);
         const Hit before = best;
         const auto in_mesh = [&](GeometryId geometry, const Mesh&, const ObjectRay& in_frame,
                                  Crossings& crossings) {
@@ -277,6 +286,8 @@ class BvhAccelerator final : public Accelerator {
 
     const Scene* scene_;
     std::vector<std::optional<MeshBvh>> meshes_;  ///< by geometry
+    std::vector<const MeshBvh*> mesh_of_;         ///< by node; null: another shape
+    std::vector<wide::Frame> frames_;             ///< by node
     std::vector<NodeId> unbounded_, bounded_;
     Bvh<Boxd> world_;            ///< over bounded_
     std::vector<double> slack_;  ///< by node of world_

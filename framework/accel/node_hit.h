@@ -8,7 +8,9 @@ namespace luch {
 
 /// Whether a ray can hit anything: finite, and with a direction.
 [[nodiscard]] inline bool is_sound(const Ray& ray) {
-    return all_finite(ray.origin) && all_finite(ray.direction) && ray.direction != Vec3d(0);
+    // 0 · x is NaN for NaN and infinities, and so is every sum with it.
+    const Vec3d zero = 0.0 * ray.origin + 0.0 * ray.direction;
+    return zero.x + zero.y + zero.z == 0 && ray.direction != Vec3d(0);
 }
 
 /// A node's transform of a world-space ray: the one function that all paths use.

@@ -102,6 +102,13 @@ struct Lanes {
     LUCH_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {
         return zip(a, b, [](const P& x, const P& y) { return x / y; });
     }
+    /// a · b − c, rounded once where there is an instruction for that, else twice: for filters with
+    /// room for either.
+    LUCH_INLINE friend Lanes times_minus(const Lanes& a, const Lanes& b, const Lanes& c) {
+        Lanes r;
+        for (int i = 0; i < parts; ++i) r.part[i] = fms(a.part[i], b.part[i], c.part[i]);
+        return r;
+    }
     /// a < b ? a : b, so b where either is a NaN.
     LUCH_INLINE friend Lanes min_or(const Lanes& a, const Lanes& b) {
         return zip(a, b, [](const P& x, const P& y) { return min(x, y); });

@@ -47,6 +47,7 @@ struct Plain {
     friend Plain operator/(const Plain& a, const Plain& b) {
         return each(a, b, [](float x, float y) { return x / y; });
     }
+    friend Plain fms(const Plain& a, const Plain& b, const Plain& c) { return a * b - c; }
     friend Plain min(const Plain& a, const Plain& b) {
         return each(a, b, [](float x, float y) { return x < y ? x : y; });
     }

@@ -19,8 +19,8 @@ using Vec3d = glm::dvec3;
 /// The largest of |x|, |y|, |z|.
 template <class V>
 [[nodiscard]] auto max_norm(const V& v) {
-    const V a = glm::abs(v);
-    return std::max(a.x, std::max(a.y, a.z));
+    // glm::abs would branch on the signs.
+    return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
 }
 
 /// True when no component is NaN or infinite.

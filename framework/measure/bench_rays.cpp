@@ -13,15 +13,17 @@
 namespace luch {
 namespace {
 
-constexpr int chunk = 4096;
+/// What a thread takes at once, and what back ends do in turn: milliseconds, so that what else the
+/// machine does meets all of them, but much more than a cache holds.
+constexpr int chunk = 4096, chunks_in_turn = 16;
 
 /// One way to shoot the rays: chunk i of them, after a reset.
 struct Contender {
     std::string backend, mode;
     std::function<void()> reset;
     std::function<void(int i)> shoot;
-    std::vector<double> seconds{};
-    WorkCounts work{};  ///< luch's alone
+    std::vector<std::vector<double>> seconds{};  ///< of every turn's rays, by rounds
+    WorkCounts work{};                           ///< luch's alone
 };
 
 double cpu_seconds_of(const std::function<void()>& work) {
@@ -103,22 +105,38 @@ std::vector<Contender> contenders_of(Own& own, const EmbreeScene* embree, const 
     return all;
 }
 
+/// Every contender's turns, in every round; the first round warms up.
 void race(std::vector<Contender>& contenders, const Own& own, std::size_t rays,
           const RayBench& bench) {
     const Workers workers(bench.threads);
     const int chunks = static_cast<int>((rays + chunk - 1) / chunk);
-    for (int round = -1; round < bench.rounds; ++round) {  // the first one warms up
-        for (Contender& each : contenders) {
-            each.reset();
-            const double seconds = seconds_of(bench.threads, [&] {
-                workers.for_each(chunks, [&](int i, int) { each.shoot(i); });
-            });
-            if (round >= 0) each.seconds.push_back(seconds);
-            each.work = {};
-            if (each.backend != "luch") continue;
-            for (const WorkCounts& work : own.work) each.work += work;
+    const int turns = (chunks + chunks_in_turn - 1) / chunks_in_turn;
+    for (Contender& each : contenders) each.seconds.resize(static_cast<std::size_t>(turns));
+    for (int round = -1; round < bench.rounds; ++round) {
+        for (Contender& each : contenders) each.reset();
+        for (int turn = 0; turn < turns; ++turn) {
+            const int first = turn * chunks_in_turn;
+            const int count = std::min(chunks_in_turn, chunks - first);
+            for (Contender& each : contenders) {
+                const double seconds = seconds_of(bench.threads, [&] {
+                    workers.for_each(count, [&](int i, int) { each.shoot(first + i); });
+                });
+                if (round >= 0) each.seconds[static_cast<std::size_t>(turn)].push_back(seconds);
+            }
         }
     }
+    for (Contender& each : contenders) {
+        if (each.backend != "luch") continue;
+        for (int i = 0; i < chunks; ++i) each.shoot(i);
+        for (const WorkCounts& work : own.work) each.work += work;
+    }
+}
+
+/// The sum of the turns' medians.
+double seconds_of(const Contender& contender) {
+    double sum = 0;
+    for (const std::vector<double>& turn : contender.seconds) sum += median(turn);
+    return sum;
 }
 
 /// Compares luch's hits with those of Embree's robust mode.
@@ -147,7 +165,7 @@ std::vector<RayKindSpeed> speeds_of(const std::vector<Contender>& contenders,
         if (speeds.empty() || speeds.back().backend != each.backend) {
             speeds.push_back({kind, each.backend, {}, shots.active, 0, 1});
         }
-        speeds.back().modes.push_back({each.mode, 1e-6 * rays / median(each.seconds),
+        speeds.back().modes.push_back({each.mode, 1e-6 * rays / seconds_of(each),
                                        static_cast<double>(each.work.boxes) / rays,
                                        static_cast<double>(each.work.primitives) / rays});
     }

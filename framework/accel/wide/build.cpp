@@ -46,6 +46,10 @@ class Builder {
         if (count_ > 0) {
             const Range all = kernels_.range_of(refs_.get(), count_);
             divide(all, 0, 0);
+            for (int axis = 0; axis < 3; ++axis) {
+                tree_.extent = std::max({tree_.extent, std::abs(all.box.lo[axis]),
+                                         std::abs(all.box.hi[axis])});
+            }
         }
         emit();
         return std::move(tree_);

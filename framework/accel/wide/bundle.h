@@ -14,7 +14,6 @@ namespace {
 
 using Sixteen = Lanes<16>;
 inline constexpr int groups = 16;
-inline constexpr float infinite = std::numeric_limits<float>::infinity();
 
 /// Ranges of one number, for each group and for all.
 struct Ranges {

@@ -11,6 +11,8 @@ namespace {
 
 using simd::Lanes;
 
+inline constexpr float infinite = std::numeric_limits<float>::infinity();
+
 template <class T>
 struct Three {
     T x, y, z;
@@ -32,6 +34,9 @@ template <class T>
 LUCH_INLINE T sum_of_sizes(const Three<T>& a) {
     using std::abs;
     return abs(a.x) + abs(a.y) + abs(a.z);
+}
+LUCH_INLINE float sum_of_sizes(const Vec3& v) {
+    return sum_of_sizes(Three<float>{v.x, v.y, v.z});
 }
 /// The largest |component|; components that are NaN are passed over.
 template <class T>

@@ -21,10 +21,8 @@ LUCH_INLINE Three<T> all(const Vec3& v) {
 
 /// What one search found so far, and how far it still looks.
 struct Search {
-    Hit best;
-    float weights[3] = {0, 0, 0};  ///< the edge values of best
-    bool improved = false;
-    std::uint64_t boxes = 0, primitives = 0;
+    Hit& best;
+    float weights[3];  ///< the edge values of best, once it is of this search
 };
 
 /// A ray against the four triangles of a block.
@@ -36,10 +34,10 @@ class BlockTest {
           cull_(cull_backfaces),
           origin_(all<Four>(ray.origin)),
           direction_(all<Four>(ray.direction)),
-          sum_(std::abs(ray.direction.x) + std::abs(ray.direction.y) + std::abs(ray.direction.z)) {}
+          sum_(sum_of_sizes(ray.direction)) {}
 
     /// Improves the search; true when it did.
-    LUCH_INLINE bool operator()(const Block& block, Search& search) const {
+    [[gnu::noinline]] bool operator()(const Block& block, Search& search) const {
         const Edges e(block, origin_, direction_);
         const Four size = size_of(e.a[0], Four::load(block.edge));
         const Four bound = sign_bound(size, Four::load(block.edge), Four(sum_));
@@ -138,7 +136,6 @@ class BlockTest {
         const Hit hit{.t = t, .node = node_, .primitive = block.id[lane]};
         if (!nearer(hit, search.best)) return false;
         search.best = hit;
-        search.improved = true;
         for (int k = 0; k < 3; ++k) search.weights[k] = lines.w[k][lane];
         return true;
     }
@@ -150,51 +147,49 @@ class BlockTest {
     float sum_;
 };
 
-/// A ray against the eight boxes of a node: the one slab formula, or a little more than it gives.
-/// The far side is padded through the inverse, by more than far_padding; where a t below 0 counts,
-/// which that would push the wrong way, as the formula has it.
+/// A ray against the eight boxes of a node. A side at b gives t = b · i − o · i instead of the slab
+/// formula's (b − o) · i, which takes half of the operations; with r = Σ|o| + max |b| the two
+/// and the formula's padding differ by less than 16u · r · |i|, so both sides are moved by that. An
+/// inverse that is infinite is cut to 2⁴⁰ / Σ|d|: a hit has t ≤ 3r / Σ|d|, and the far side, moved
+/// by 2²⁰ · r / Σ|d|, comes after it.
 class NodeTest {
  public:
-    explicit NodeTest(const ObjectRay& ray)
-        : origin_(all<Eight>(ray.origin)), inverse_(all<Eight>(ray.inverse)), t_min_(ray.t_min) {
-        const float padding = ray.t_min >= 0 ? 1 + 0x1p-20f : 1;
-        padded_ = {inverse_.x * padding, inverse_.y * padding, inverse_.z * padding};
-        behind_ = !(ray.t_min >= 0);
+    NodeTest(const ObjectRay& ray, float extent) : t_min_(ray.t_min) {
+        const float reach = 0x1p-20f * (sum_of_sizes(ray.origin) + extent);
+        const float steepest =
+            sum_of_sizes(ray.inverse) < infinite ? infinite : 0x1p40f / sum_of_sizes(ray.direction);
         for (int axis = 0; axis < 3; ++axis) {
+            const float inverse = std::clamp(ray.inverse[axis], -steepest, steepest);
+            const float start = ray.origin[axis] * inverse, slack = reach * std::abs(inverse);
+            inverse_[axis] = Eight(inverse);
+            near_shift_[axis] = Eight(start + slack);
+            far_shift_[axis] = Eight(start - slack);
             const bool negative = std::signbit(ray.direction[axis]);
             near_[axis] = (negative ? axis + 3 : axis) * node_width;
             far_[axis] = (negative ? axis : axis + 3) * node_width;
         }
     }
 
-    /// A bit for every child that the ray may meet before `limit`; near: where it enters them.
-    /// Where a side gives NaN another may be lost with it, which keeps more.
-    LUCH_INLINE unsigned operator()(const Node& node, float limit, float* near) const {
+    /// A bit for every child that the ray may meet before `limit`, and where it enters them. Where
+    /// a side gives NaN another may be lost with it, which keeps more.
+    LUCH_INLINE unsigned operator()(const Node& node, float limit, Eight& in) const {
         const float* bounds = node.bounds[0];
-        const auto side = [&](int which, const Eight& o, const Eight& i) {
-            return (Eight::load(bounds + which) - o) * i;
+        const auto near = [&](int axis) {
+            return times_minus(Eight::load(bounds + near_[axis]), inverse_[axis],
+                               near_shift_[axis]);
         };
-        const Eight in = max_or(
-            max_or(side(near_[0], origin_.x, inverse_.x), side(near_[1], origin_.y, inverse_.y)),
-            max_or(side(near_[2], origin_.z, inverse_.z), Eight(t_min_)));
-        const Eight far_x = side(far_[0], origin_.x, padded_.x);
-        const Eight far_y = side(far_[1], origin_.y, padded_.y);
-        const Eight far_z = side(far_[2], origin_.z, padded_.z);
-        in.store(near);
-        if (behind_) {
-            const Eight out = min_or(far_x, min_or(far_y, min_or(far_z, Eight(infinity))));
-            const Eight padded = max_or(out * Eight(far_padding), out);
-            return (in <= min_or(padded, Eight(limit))) & node.used;
-        }
-        return (in <= min_or(min_or(far_x, far_y), min_or(far_z, Eight(limit)))) & node.used;
+        const auto far = [&](int axis) {
+            return times_minus(Eight::load(bounds + far_[axis]), inverse_[axis], far_shift_[axis]);
+        };
+        in = max_or(max_or(near(0), near(1)), max_or(near(2), t_min_));
+        const Eight out = min_or(min_or(far(0), far(1)), min_or(far(2), Eight(limit)));
+        return (in <= out) & node.used;
     }
 
  private:
-    static constexpr float infinity = std::numeric_limits<float>::infinity();
-    Three<Eight> origin_, inverse_, padded_;
-    float t_min_;
-    bool behind_;
-    int near_[3], far_[3];
+    Eight inverse_[3], near_shift_[3], far_shift_[3];
+    Eight t_min_;
+    std::ptrdiff_t near_[3], far_[3];
 };
 
 struct Entry {
@@ -202,12 +197,18 @@ struct Entry {
     std::uint32_t child;
 };
 
-/// Pushes all children but the nearest, the farther deeper; returns the nearest.
-LUCH_INLINE std::uint32_t push_sorted(const Node& node, unsigned mask, const float* near,
+/// Pushes all children but the nearest, the farther deeper; returns the nearest. Branches that the
+/// processor guesses right let it go on before it knows the order, so this sorts by branches.
+LUCH_INLINE std::uint32_t push_sorted(const Node& node, unsigned mask, const Eight& in,
                                       Entry* stack, int& size) {
-    Entry first{near[std::countr_zero(mask)], node.child[std::countr_zero(mask)]};
+    const int one = std::countr_zero(mask);
+    mask &= mask - 1;
+    if (mask == 0) return node.child[one];
+    alignas(32) float near[node_width];
+    in.store(near);
+    Entry first{near[one], node.child[one]};
     const int base = size;
-    for (mask &= mask - 1; mask != 0; mask &= mask - 1) {
+    for (; mask != 0; mask &= mask - 1) {
         const int i = std::countr_zero(mask);
         Entry entry{near[i], node.child[i]};
         if (entry.near < first.near) std::swap(entry, first);
@@ -218,58 +219,76 @@ LUCH_INLINE std::uint32_t push_sorted(const Node& node, unsigned mask, const flo
     return first.child;
 }
 
+LUCH_INLINE void count(std::uint32_t nodes, std::uint32_t blocks, WorkCounts& work) {
+    work.boxes += std::uint64_t{nodes} * node_width;
+    work.primitives += std::uint64_t{blocks} * block_width;
+}
+
+/// The same operations as Transform::ray and object_ray(), for three components at once.
+LUCH_INLINE ObjectRay turned(const Ray& ray, const Frame& frame) {
+    const auto& row = frame.row;
+    float origin[4], direction[4], inverse[4];
+    for (int k = 0; k < 4; ++k) {
+        origin[k] = static_cast<float>(ray.origin.x * row[0][k] + ray.origin.y * row[1][k] +
+                                       ray.origin.z * row[2][k] + row[3][k]);
+        direction[k] =
+            static_cast<float>(ray.direction.x * row[0][k] + ray.direction.y * row[1][k] +
+                               ray.direction.z * row[2][k]);
+        inverse[k] = 1 / direction[k];
+    }
+    return {{origin[0], origin[1], origin[2]},
+            {direction[0], direction[1], direction[2]},
+            {inverse[0], inverse[1], inverse[2]},
+            ray.t_min,
+            ray.t_max};
+}
+
+/// Improves best, or stops at anything that does.
 template <bool any>
-void search_tree(const Tree& tree, const ObjectRay& ray, NodeId node_id, Search& search) {
-    const NodeTest test_node(ray);
+bool search(const Tree& tree, const ObjectRay& ray, NodeId node_id, Hit& best, WorkCounts& work) {
+    const NodeTest test_node(ray, tree.extent);
     const BlockTest test_block(ray, node_id, tree.cull_backfaces);
+    Search found{best, {}};
     Entry stack[max_depth * (node_width - 1) + 1];
     int size = 0;
-    std::uint32_t child = 0;
-    alignas(32) float near[node_width];
+    std::uint32_t child = 0, nodes = 0, blocks = 0;
+    bool improved = false;
     for (;;) {
         while ((child & leaf_bit) == 0) {
             const Node& node = tree.nodes[child];
-            ++search.boxes;
-            const unsigned mask = test_node(node, search.best.t, near);
+            ++nodes;
+            Eight in;
+            const unsigned mask = test_node(node, best.t, in);
             if (mask == 0) break;
-            child = push_sorted(node, mask, near, stack, size);
+            child = push_sorted(node, mask, in, stack, size);
         }
         if ((child & leaf_bit) != 0) {
-            ++search.primitives;
-            if (test_block(tree.blocks[child & ~leaf_bit], search) && any) return;
+            ++blocks;
+            improved |= test_block(tree.blocks[child & ~leaf_bit], found);
+            if (any && improved) break;
         }
         do {
-            if (size == 0) return;
             --size;
-        } while (!(stack[size].near <= search.best.t));
+        } while (size >= 0 && !(stack[size].near <= best.t));
+        if (size < 0) break;
         child = stack[size].child;
     }
-}
-
-void count(const Search& search, WorkCounts& work) {
-    work.boxes += search.boxes * node_width;
-    work.primitives += search.primitives * block_width;
-}
-
-bool closest(const Tree& tree, const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) {
-    Search search;
-    search.best = best;
-    search_tree<false>(tree, ray, node, search);
-    count(search, work);
-    if (!search.improved) return false;
-    best = search.best;
-    const Barycentric at = barycentric(search.weights[0], search.weights[1], search.weights[2]);
+    count(nodes, blocks, work);
+    if (any || !improved) return improved;
+    const Barycentric at = barycentric(found.weights[0], found.weights[1], found.weights[2]);
     best.u = at.u;
     best.v = at.v;
     return true;
 }
 
-bool occluded(const Tree& tree, const ObjectRay& ray, WorkCounts& work) {
-    Search search;
-    search.best = {.t = ray.t_max};
-    search_tree<true>(tree, ray, 0, search);
-    count(search, work);
-    return search.improved;
+bool closest(const Tree& tree, const Frame& frame, const Ray& ray, NodeId node, Hit& best,
+             WorkCounts& work) {
+    return search<false>(tree, turned(ray, frame), node, best, work);
+}
+
+bool occluded(const Tree& tree, const Frame& frame, const Ray& ray, WorkCounts& work) {
+    Hit blocker{.t = ray.t_max};
+    return search<true>(tree, turned(ray, frame), 0, blocker, work);
 }
 
 }  // namespace

@@ -49,6 +49,7 @@ struct Tree {
     std::vector<Node> nodes;
     std::vector<Block> blocks;
     bool cull_backfaces = false;
+    float extent = 0;  ///< no bound of a node is larger
 
     /// Asks the memory for what a child stands for, which will be read soon.
     void prefetch(std::uint32_t child) const {
