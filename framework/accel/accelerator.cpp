@@ -2,9 +2,13 @@
 
 #include "framework/accel/bvh.h"
 #include "framework/accel/csg_hit.h"
+#include "framework/accel/embree.h"
+#include "framework/accel/embree_mesh.h"
 #include "framework/accel/mesh_bvh.h"
 #include "framework/accel/node_hit.h"
 #include "framework/accel/shapes.h"
+#include "framework/base/error.h"
+#include "framework/base/text.h"
 
 #include <optional>
 
@@ -97,6 +101,8 @@ float largest(const float* limits) {
     return *std::max_element(most.begin(), most.end());
 }
 
+/// Index searches the triangles of a mesh: MeshBvh, or EmbreeMesh.
+template <class Index>
 class BvhAccelerator final : public Accelerator {
  public:
     BvhAccelerator(const Scene& scene, Isa isa) : scene_(&scene), meshes_(scene.geometries.size()) {
@@ -276,7 +282,7 @@ class BvhAccelerator final : public Accelerator {
     }
 
     const Scene* scene_;
-    std::vector<std::optional<MeshBvh>> meshes_;  ///< by geometry
+    std::vector<std::optional<Index>> meshes_;  ///< by geometry
     std::vector<NodeId> unbounded_, bounded_;
     Bvh<Boxd> world_;            ///< over bounded_
     std::vector<double> slack_;  ///< by node of world_
@@ -284,8 +290,24 @@ class BvhAccelerator final : public Accelerator {
 
 }  // namespace
 
-std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa) {
-    return std::make_unique<BvhAccelerator>(scene, isa);
+std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa, Backend backend) {
+    if (backend == Backend::luch) return std::make_unique<BvhAccelerator<MeshBvh>>(scene, isa);
+    return std::make_unique<BvhAccelerator<EmbreeMesh>>(scene, isa);
+}
+
+Backend parsed_backend(std::string_view text) {
+    constexpr std::string_view names[] = {"luch", "embree"};
+    const auto* name = std::ranges::find(names, text);
+    if (name == std::end(names)) {
+        throw Error("--backend " + std::string(text) + ": " + did_you_mean(text, names));
+    }
+    if (*name == "luch") return Backend::luch;
+    if (!has_embree()) {
+        throw Error(
+            "--backend embree: this build has no Embree; install libembree-dev and "
+            "configure again, or leave the option out");
+    }
+    return Backend::embree;
 }
 
 }  // namespace luch
