@@ -11,26 +11,24 @@ namespace {
 /// largest coordinate: sixteen roundings.
 constexpr double rounding = 16 * 0x1p-24;
 
-/// Signs of (a × b) · d for neighbours are opposite to the last bit.
-double side_of(const Vec3d& a, const Vec3d& b, const Vec3d& d) {
-    return glm::dot(glm::cross(a, b), d);
-}
+/// Where a ray through the origin meets a triangle's plane, and on which side of its edges. Values
+/// of neighbours are opposite to the last bit.
+struct Seen {
+    double t;  ///< NaN where the ray runs in the plane
+    double least, most;
+    std::array<double, 3> side;
 
-/// The t of a ray through the origin; NaN for a miss.
-double t_of(const std::array<Vec3d, 3>& corner, const Vec3d& direction) {
-    constexpr double miss = std::numeric_limits<double>::quiet_NaN();
-    const double u = side_of(corner[1], corner[2], direction);
-    const double v = side_of(corner[2], corner[0], direction);
-    const double w = side_of(corner[0], corner[1], direction);
-    if (std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0) return miss;
-    const Vec3d normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-    const double along = glm::dot(normal, direction);
-    return along != 0 ? glm::dot(normal, corner[0]) / along : miss;
-}
-
-struct Met {
-    std::uint32_t triangle;
-    double t;
+    Seen(const std::array<Vec3d, 3>& corner, const Vec3d& direction) {
+        for (int k = 0; k < 3; ++k) {
+            side[k] = glm::dot(glm::cross(corner[k], corner[(k + 1) % 3]), direction);
+        }
+        least = std::min({side[0], side[1], side[2]});
+        most = std::max({side[0], side[1], side[2]});
+        const Vec3d normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+        const double along = glm::dot(normal, direction);
+        t = along != 0 ? glm::dot(normal, corner[0]) / along
+                       : std::numeric_limits<double>::quiet_NaN();
+    }
 };
 
 /// The ray and eight about it.
@@ -45,35 +43,58 @@ class Bunch {
             const Vec3d side((i & 1) * 2 - 1, (i & 2) - 1, (i & 4) / 2 - 1);
             shift_[i] = rounding * size * side;
         }
+        first_.fill(infinity);
     }
 
     void meet(std::uint32_t triangle, const std::array<Vec3d, 3>& corner) {
+        Candidate candidate{triangle, infinity};
+        std::array<double, 3> least, most;
+        least.fill(infinity);
+        most.fill(-infinity);
         for (std::size_t i = 0; i < shift_.size(); ++i) {
-            std::array<Vec3d, 3> seen = corner;
-            for (Vec3d& p : seen) p = p - ray_.origin - shift_[i];
-            const double t = t_of(seen, ray_.direction);
-            if (t > ray_.t_min && t < ray_.t_max) met_[i].push_back({triangle, t});
+            std::array<Vec3d, 3> moved = corner;
+            for (Vec3d& p : moved) p = p - ray_.origin - shift_[i];
+            const Seen seen(moved, ray_.direction);
+            const bool in_time = seen.t > ray_.t_min && seen.t < ray_.t_max;
+            if (in_time) candidate.t = std::min(candidate.t, seen.t);
+            if (in_time && !(seen.least < 0 && seen.most > 0)) {
+                first_[i] = std::min(first_[i], seen.t);
+            }
+            for (int k = 0; k < 3; ++k) {
+                least[k] = std::min(least[k], seen.side[k]);
+                most[k] = std::max(most[k], seen.side[k]);
+            }
         }
+        const bool possible =
+            *std::ranges::min_element(most) >= 0 || *std::ranges::max_element(least) <= 0;
+        if (possible && candidate.t < infinity) candidates_.push_back(candidate);
     }
 
     [[nodiscard]] Judgement judgement() const {
         Judgement result;
-        const auto hits = std::ranges::count_if(met_, [](const auto& m) { return !m.empty(); });
-        if (hits > 0) result.verdict = hits == 9 ? Verdict::hit : Verdict::doubtful;
-        for (const std::vector<Met>& met : met_) {
-            double first = std::numeric_limits<double>::infinity();
-            for (const Met& m : met) first = std::min(first, m.t);
-            for (const Met& m : met) {
-                if (m.t - first <= rounding * std::abs(m.t)) result.nearest.push_back(m.triangle);
-            }
+        const auto misses = std::ranges::count(first_, infinity);
+        // None of nine may meet the tip of a sharp corner that rays between them meet.
+        if (!candidates_.empty()) result.verdict = misses == 0 ? Verdict::hit : Verdict::doubtful;
+        const double last = *std::ranges::max_element(first_);
+        for (const Candidate& each : candidates_) {
+            if (each.t <= last * (1 + rounding)) result.nearest.push_back(each.triangle);
         }
         return result;
     }
 
  private:
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /// A triangle that one of the rays may meet, and the least t at which.
+    struct Candidate {
+        std::uint32_t triangle;
+        double t;
+    };
+
     const Ray& ray_;
     std::array<Vec3d, 9> shift_{};  ///< the last one stays where it is
-    std::array<std::vector<Met>, 9> met_;
+    std::array<double, 9> first_;   ///< the nearest hit of each
+    std::vector<Candidate> candidates_;
 };
 
 }  // namespace

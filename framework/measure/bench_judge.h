@@ -16,7 +16,7 @@ enum class Verdict { miss, doubtful, hit };
 
 struct Judgement {
     Verdict verdict = Verdict::miss;
-    /// The triangles that are nearest to one of these rays, or within rounding of that.
+    /// The triangles that may be the nearest, as far as these rays tell.
     std::vector<std::uint32_t> nearest;
 };
 
