@@ -76,7 +76,7 @@ float edge_value(const Vec3& a, const Vec3& b, const Vec3& d) {
 
 ObjectRay object_ray(const Ray& ray) {
     const Vec3 direction(ray.direction);
-    return {Vec3(ray.origin), direction, 1.0f / direction, ray.t_min, ray.t_max};
+    return {Vec3(ray.origin), direction, 1.0f / direction, least_t(ray.t_min), ray.t_max};
 }
 
 int edge_sign(const Vec3& a, const Vec3& b, const Vec3& d) {

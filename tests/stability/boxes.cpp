@@ -9,15 +9,13 @@ namespace {
 
 using testing::random_point;
 
-/// A box of floats, flat in some axes.
-Box random_box(Key key) {
-    Box box;
+/// A box of floats, flat in `flat`, an axis or none.
+Box random_box(int flat, Key key) {
     const double size = std::exp2(40 * key.uniform(0) - 20);
-    for (int k = 0; k < 2; ++k) box.grow(Vec3(size * random_point(key.branch(k + 1), 1)));
-    for (int axis = 0; axis < 3; ++axis) {
-        if (key.bits(3 + axis) % 4 == 0) box.hi[axis] = box.lo[axis];
-    }
-    return box;
+    const Vec3d lo = size * random_point(key.branch(1), 1);
+    Vec3d extent = size * (0.55 + 0.5 * random_point(key.branch(2), 1));
+    if (flat < 3) extent[flat] = 0;
+    return {Vec3(lo), Vec3(Vec3d(Vec3(lo)) + extent)};
 }
 
 /// A ray that runs in a face of the box or in an edge, from outside to a point of it.
@@ -26,7 +24,8 @@ Ray ray_in_face(const Box& box, Key key) {
     const bool in_edge = key.bits(1) % 2 == 0;
     Vec3d to, direction = random_point(key.branch(2), 1);
     for (int k = 0; k < 3; ++k) {
-        to[k] = box.lo[k] + key.uniform(3 + k) * (double{box.hi[k]} - box.lo[k]);
+        const double share = 0.01 + 0.98 * key.uniform(3 + k);
+        to[k] = box.lo[k] + share * (double{box.hi[k]} - box.lo[k]);
     }
     const auto keep_to = [&](int k) {
         to[k] = key.bits(6 + k) % 2 == 0 ? box.lo[k] : box.hi[k];
@@ -78,7 +77,7 @@ Counts rays_in_faces_of_boxes(const Effort& effort) {
     Counts counts;
     for (std::uint64_t i = 0; i < effort.of(1'000'000); ++i) {
         const Key key = Key(46).branch(i);
-        const Box box = random_box(key.branch(0));
+        const Box box = random_box(static_cast<int>(i % 4), key.branch(0));
         const Ray ray = ray_in_face(box, key.branch(1));
         const Interval in = slab(box, object_ray(ray));
         counts.judge(in.near <= in.far, [&] {

@@ -99,11 +99,11 @@ Counts degenerate_meshes(const Effort& effort) {
     Counts counts;
     for (int kind = 0; kind < 5; ++kind) {
         const Key key = Key(49).branch(kind);
-        compare(mesh_of_kind(kind, key), effort.of(200'000), effort, key, counts);
+        compare(mesh_of_kind(kind, key), effort.of(100'000), effort, key, counts);
     }
     Mesh same = testing::triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
     same.triangles.resize(10'000, same.triangles[0]);
-    compare(same, effort.of(20'000), effort, Key(50), counts);
+    compare(same, effort.of(5'000), effort, Key(50), counts);
     compare(Mesh{}, 0, effort, Key(51), counts);
     return counts;
 }

@@ -44,8 +44,8 @@ RayPacket extreme_packet(const Scene& scene, std::uint64_t which, int count, Key
 }
 
 bool is_no_ray(const Ray& ray) {
-    return !all_finite(ray.origin) || !all_finite(ray.direction) || ray.direction == Vec3d(0) ||
-           !(ray.t_min < ray.t_max);
+    return !all_finite(ray.origin) || !all_finite(ray.direction) ||
+           max_norm(ray.direction) < std::numeric_limits<double>::min() || !(ray.t_min < ray.t_max);
 }
 
 /// intersect_triangle() must leave what it is given alone when it finds nothing.
