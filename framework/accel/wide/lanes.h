@@ -64,7 +64,9 @@ LUCH_INLINE T size_of(const Three<T>& corner, const T& edge) {
 }
 template <class A, class S>
 LUCH_INLINE auto sign_bound(const A& size, const A& edge, const S& sum) {
-    return size * (edge + size * 0x1p-22f) * (sum * relative_bound) + (sum + 1.0f) * smallest_bound;
+    // Infinite where any product of the value may overflow: the small factor comes last.
+    return size * (edge + size * 0x1p-22f) * (sum * 8.0f) * (0.125f * relative_bound) +
+           (sum + 1.0f) * smallest_bound;
 }
 
 }  // namespace
