@@ -184,7 +184,7 @@ TEST_F(Embree, AsABackEndMayDifferWhereRaysAreAimedAtEdgesAndRimsAlone) {
     EXPECT_LE(sum.unlike, sum.hits / 200);
 }
 
-TEST_F(Embree, AsABackEndPassesBackfacesThatAreCulledAndFindsWhatLiesBehind) {
+TEST_F(Embree, AsABackEndPassesBackfacesThatAreCulled) {
     Scene scene = testing::empty_scene();
     Mesh mesh = testing::triangle({-1, -1, 5}, {1, -1, 5}, {0, 1, 5});
     mesh.cull_backfaces = true;
@@ -195,6 +195,34 @@ TEST_F(Embree, AsABackEndPassesBackfacesThatAreCulledAndFindsWhatLiesBehind) {
     EXPECT_FALSE(theirs->occluded({{0, 0, 0}, {0, 0, 1}}, work));
     EXPECT_TRUE(theirs->closest({{0, 0, 9}, {0, 0, -1}}, work));
     EXPECT_TRUE(theirs->occluded({{0, 0, 9}, {0, 0, -1}}, work));
+
+    RayPacket rays;
+    rays.add({0, 0, 1}, std::numeric_limits<float>::infinity());
+    HitPacket hits;
+    std::array<std::uint8_t, RayPacket::capacity> blocked;
+    theirs->closest(rays, hits, work);
+    theirs->occluded(rays, blocked, work);
+    EXPECT_FALSE(hits.hit(0));
+    EXPECT_EQ(blocked[0], 0);
+}
+
+TEST_F(Embree, AsABackEndFindsWhatLiesBehindABackfaceThatIsCulled) {
+    Mesh mesh =
+        testing::mesh_of({{-1, -1, 5}, {1, -1, 5}, {0, 1, 5}, {-1, -1, 7}, {1, -1, 7}, {0, 1, 7}},
+                         {0, 1, 2, 3, 5, 4});
+    mesh.cull_backfaces = true;
+    Scene scene = testing::empty_scene();
+    testing::add(scene, mesh, Lambert{});
+    const auto theirs = build_accelerator(scene, parsed_isa(""), Backend::embree);
+    WorkCounts work;
+    RayPacket rays;
+    rays.add({0, 0, 1}, std::numeric_limits<float>::infinity());
+    HitPacket hits;
+    theirs->closest(rays, hits, work);
+    for (const Hit& hit : {theirs->closest(rays.ray(0), work), hits.hit(0)}) {
+        ASSERT_TRUE(hit);
+        EXPECT_EQ(hit.primitive, 1u);
+    }
 }
 
 TEST_F(Embree, AsABackEndFindsTheHitsOfSolids) {
