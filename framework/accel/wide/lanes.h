@@ -15,6 +15,8 @@ template <class T>
 struct Three {
     T x, y, z;
 };
+template <class T>
+Three(T, T, T) -> Three<T>;
 
 template <class A, class B>
 LUCH_INLINE auto minus(const Three<A>& a, const Three<B>& b) {
