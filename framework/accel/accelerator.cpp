@@ -2,9 +2,13 @@
 
 #include "framework/accel/bvh.h"
 #include "framework/accel/csg_hit.h"
+#include "framework/accel/embree.h"
+#include "framework/accel/embree_mesh.h"
 #include "framework/accel/mesh_bvh.h"
 #include "framework/accel/node_hit.h"
 #include "framework/accel/shapes.h"
+#include "framework/base/error.h"
+#include "framework/base/text.h"
 
 #include <optional>
 
@@ -97,17 +101,14 @@ float largest(const float* limits) {
     return *std::max_element(most.begin(), most.end());
 }
 
+/// Index searches the triangles of a mesh: MeshBvh, or EmbreeMesh.
+template <class Index>
 class BvhAccelerator final : public Accelerator {
  public:
     BvhAccelerator(const Scene& scene, Isa isa) : scene_(&scene), meshes_(scene.geometries.size()) {
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
             if (const auto* mesh = std::get_if<Mesh>(&scene.geometries[i]))
                 meshes_[i].emplace(*mesh, isa);
-        }
-        for (const Node& node : scene.nodes) {
-            const auto& mesh = meshes_[node.geometry];
-            mesh_of_.push_back(mesh ? &*mesh : nullptr);
-            frames_.emplace_back(node.to_object);
         }
         sort_nodes();
     }
@@ -179,8 +180,7 @@ class BvhAccelerator final : public Accelerator {
     }
 
     std::uint64_t bytes() const override {
-        std::uint64_t sum = world_.bytes() + slack_.size() * sizeof(double) +
-                            frames_.size() * (sizeof(wide::Frame) + sizeof(MeshBvh*));
+        std::uint64_t sum = world_.bytes() + slack_.size() * sizeof(double);
         for (const auto& mesh : meshes_) sum += mesh ? mesh->bytes() : 0;
         return sum;
     }
@@ -267,14 +267,14 @@ class BvhAccelerator final : public Accelerator {
     }
 
     bool improve_with_node(NodeId id, const Ray& ray, bool any, Hit& best, WorkCounts& work) const {
-        if (const MeshBvh* mesh = mesh_of_[id]) {
-            if (!any) return mesh->closest(frames_[id], ray, id, best, work);
-            if (!mesh->occluded(frames_[id], ray, work)) return false;
+        const Node& node = scene_->nodes[id];
+        const Ray object = to_object(ray, node);
+        if (const auto& mesh = meshes_[node.geometry]) {
+            if (!any) return mesh->closest(object_ray(object), id, best, work);
+            if (!mesh->occluded(object_ray(object), work)) return false;
             best.node = id;
             return true;
         }
-        const Node& node = scene_->nodes[id];
-        const Ray object = to_object(ray, node);
         const Hit before = best;
         const auto in_mesh = [&](GeometryId geometry, const Mesh&, const ObjectRay& in_frame,
                                  Crossings& crossings) {
@@ -285,9 +285,7 @@ class BvhAccelerator final : public Accelerator {
     }
 
     const Scene* scene_;
-    std::vector<std::optional<MeshBvh>> meshes_;  ///< by geometry
-    std::vector<const MeshBvh*> mesh_of_;         ///< by node; null: another shape
-    std::vector<wide::Frame> frames_;             ///< by node
+    std::vector<std::optional<Index>> meshes_;  ///< by geometry
     std::vector<NodeId> unbounded_, bounded_;
     Bvh<Boxd> world_;            ///< over bounded_
     std::vector<double> slack_;  ///< by node of world_
@@ -295,8 +293,24 @@ class BvhAccelerator final : public Accelerator {
 
 }  // namespace
 
-std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa) {
-    return std::make_unique<BvhAccelerator>(scene, isa);
+std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa, Backend backend) {
+    if (backend == Backend::luch) return std::make_unique<BvhAccelerator<MeshBvh>>(scene, isa);
+    return std::make_unique<BvhAccelerator<EmbreeMesh>>(scene, isa);
+}
+
+Backend parsed_backend(std::string_view text) {
+    constexpr std::string_view names[] = {"luch", "embree"};
+    const auto* name = std::ranges::find(names, text);
+    if (name == std::end(names)) {
+        throw Error("--backend " + std::string(text) + ": " + did_you_mean(text, names));
+    }
+    if (*name == "luch") return Backend::luch;
+    if (!has_embree()) {
+        throw Error(
+            "--backend embree: this build has no Embree; install libembree-dev and "
+            "configure again, or leave the option out");
+    }
+    return Backend::embree;
 }
 
 }  // namespace luch

@@ -43,9 +43,17 @@ class Accelerator {
     virtual std::uint64_t bytes() const = 0;
 };
 
+/// What looks for the triangles of a mesh. Hits are those of intersect_triangle() either way; see
+/// EmbreeMesh for what may differ.
+enum class Backend { luch, embree };
+
+/// "luch" or "embree". Throws Error for another word, and where this build has no Embree.
+Backend parsed_backend(std::string_view text);
+
 /// Binned-SAH BVHs over the triangles of every mesh, and one over the nodes. Keeps a reference to
 /// the scene, which must outlive it. The hits are the same whatever the instructions.
-std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa = parsed_isa(""));
+std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa = parsed_isa(""),
+                                               Backend backend = Backend::luch);
 
 /// The oracle: tests every primitive of every node. Slow on purpose.
 Hit closest_brute(const Scene& scene, const Ray& ray);

@@ -26,7 +26,7 @@ struct Crossing {
 /// heap.
 class Crossings {
  public:
-    explicit Crossings(const Ray& ray) : t_min_(ray.t_min) { found_.reserve(128); }
+    explicit Crossings(const Ray& ray) : t_min_(least_t(ray.t_min)) { found_.reserve(128); }
     Crossings(const Crossings&) = delete;
     Crossings& operator=(const Crossings&) = delete;
 

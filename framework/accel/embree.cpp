@@ -1,19 +1,10 @@
 #include "framework/accel/embree.h"
 
+#include "framework/accel/embree_tree.h"
+
 #include <embree3/rtcore.h>
 
-#include <string>
-
 namespace luch {
-
-struct EmbreeScene::State {
-    RTCDevice device = nullptr;
-    RTCScene scene = nullptr;
-    ~State() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
-};
 
 namespace {
 
@@ -144,11 +135,6 @@ class Packets final : public EmbreeScene::Batch {
     std::vector<float> limits_;
 };
 
-std::string config_of(Isa isa) {
-    const char* name = isa == Isa::v4 ? "avx512" : isa == Isa::v3 ? "avx2" : "sse4.2";
-    return std::string("threads=1,isa=") + name;
-}
-
 }  // namespace
 
 bool has_embree() {
@@ -156,41 +142,19 @@ bool has_embree() {
 }
 
 EmbreeScene::EmbreeScene(const Mesh& mesh, float scale, bool robust, Isa isa)
-    : state_(std::make_unique<State>()) {
-    state_->device = rtcNewDevice(config_of(isa).c_str());
-    state_->scene = rtcNewScene(state_->device);
-    rtcSetSceneBuildQuality(state_->scene, RTC_BUILD_QUALITY_MEDIUM);
-    if (robust) rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry geometry = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* positions = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                3 * sizeof(float), mesh.positions.size()));
-    for (const Vec3& p : mesh.positions) {
-        for (int axis = 0; axis < 3; ++axis) *positions++ = p[axis] * scale;
-    }
-    auto* corners = static_cast<unsigned*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(unsigned), mesh.triangles.size()));
-    for (const auto& triangle : mesh.triangles) {
-        for (const unsigned corner : triangle.position) *corners++ = corner;
-    }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(state_->scene, geometry);
-    rtcReleaseGeometry(geometry);
-    rtcCommitScene(state_->scene);
-}
+    : tree_(std::make_unique<EmbreeTree>(mesh, scale, robust, isa)) {}
 
 EmbreeScene::~EmbreeScene() = default;
 
 std::unique_ptr<EmbreeScene::Batch> EmbreeScene::batch(std::span<const Ray> rays, EmbreeMode mode,
                                                        bool coherent) const {
     if (mode == EmbreeMode::packet8) {
-        return std::make_unique<Packets<RTCRayHit8, 8>>(state_->scene, rays, coherent);
+        return std::make_unique<Packets<RTCRayHit8, 8>>(tree_->scene(), rays, coherent);
     }
     if (mode == EmbreeMode::packet16) {
-        return std::make_unique<Packets<RTCRayHit16, 16>>(state_->scene, rays, coherent);
+        return std::make_unique<Packets<RTCRayHit16, 16>>(tree_->scene(), rays, coherent);
     }
-    return std::make_unique<Rows>(state_->scene, rays, mode == EmbreeMode::stream, coherent);
+    return std::make_unique<Rows>(tree_->scene(), rays, mode == EmbreeMode::stream, coherent);
 }
 
 }  // namespace luch

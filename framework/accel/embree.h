@@ -12,6 +12,8 @@
 // Embree as a peer: what benchmarks race against and tests compare with, when it is installed.
 namespace luch {
 
+class EmbreeTree;
+
 /// Whether this build has Embree; the class below throws Error when it does not.
 bool has_embree();
 
@@ -46,8 +48,7 @@ class EmbreeScene {
                                                bool coherent) const;
 
  private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<EmbreeTree> tree_;
 };
 
 }  // namespace luch

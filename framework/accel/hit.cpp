@@ -76,7 +76,12 @@ float edge_value(const Vec3& a, const Vec3& b, const Vec3& d) {
 
 ObjectRay object_ray(const Ray& ray) {
     const Vec3 direction(ray.direction);
-    return {Vec3(ray.origin), direction, 1.0f / direction, ray.t_min, ray.t_max};
+    Vec3 inverse = 1.0f / direction;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool normal = std::abs(inverse[axis]) >= std::numeric_limits<float>::min();
+        if (!normal) inverse[axis] = std::copysign(0.0f, direction[axis]);
+    }
+    return {Vec3(ray.origin), direction, inverse, least_t(ray.t_min), ray.t_max};
 }
 
 int edge_sign(const Vec3& a, const Vec3& b, const Vec3& d) {

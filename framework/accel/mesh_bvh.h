@@ -13,14 +13,12 @@ class MeshBvh {
     MeshBvh(const Mesh& mesh, Isa isa);
 
     /// Improves `best` (by nearer()) with the triangles of this mesh, seen as `node`; true when it
-    /// did. `to_mesh` leads the ray from world space to the mesh's frame.
-    bool closest(const wide::Frame& to_mesh, const Ray& ray, NodeId node, Hit& best,
-                 WorkCounts& work) const {
-        return kernels_->closest(tree_, to_mesh, ray, node, best, work);
+    /// did. `ray` is in the mesh's frame.
+    bool closest(const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) const {
+        return kernels_->closest(tree_, ray, node, best, work);
     }
-    [[nodiscard]] bool occluded(const wide::Frame& to_mesh, const Ray& ray,
-                                WorkCounts& work) const {
-        return kernels_->occluded(tree_, to_mesh, ray, work);
+    [[nodiscard]] bool occluded(const ObjectRay& ray, WorkCounts& work) const {
+        return kernels_->occluded(tree_, ray, work);
     }
     /// The same for packets in world space; see wide::Kernels for what hits and limits hold.
     void closest(const RayPacket& rays, const Node& seen_as, NodeId node, HitPacket& hits,

@@ -6,11 +6,11 @@
 
 namespace luch {
 
-/// Whether a ray can hit anything: finite, and with a direction.
+/// Whether a ray can hit anything: finite, and with a direction (one of denormal numbers is none,
+/// as processors may take them for 0).
 [[nodiscard]] inline bool is_sound(const Ray& ray) {
-    // 0 · x is NaN for NaN and infinities, and so is every sum with it.
-    const Vec3d zero = 0.0 * ray.origin + 0.0 * ray.direction;
-    return zero.x + zero.y + zero.z == 0 && ray.direction != Vec3d(0);
+    return all_finite(ray.origin) && all_finite(ray.direction) &&
+           max_norm(ray.direction) >= std::numeric_limits<double>::min();
 }
 
 /// A node's transform of a world-space ray: the one function that all paths use.

@@ -14,7 +14,7 @@ namespace luch {
 /// Whether a t counts, judged by the float that will be kept.
 [[nodiscard]] inline bool within(double t, const Ray& ray) {
     const auto kept = static_cast<float>(t);
-    return kept > ray.t_min && kept < ray.t_max;
+    return kept > least_t(ray.t_min) && kept < ray.t_max;
 }
 
 struct ShapeHit {

@@ -112,11 +112,12 @@ void print_ratios(const MeshSpeed& speed, const RayBench& bench) {
         const RayKindSpeed &first = speed.kinds[i - i % backends], &kind = speed.kinds[i];
         if (i % backends == 0) continue;
         fmt::print(
-            "  {:<8} {} / {}: best {:.2f}, single {:.2f}; {} hits differ, same triangle {:.4f} %\n",
+            "  {:<8} {} / {}: best {:.2f}, single {:.2f}; {} hits differ, {} within rounding; same "
+            "triangle {:.4f} %, {} nearer or farther\n",
             kind.kind, first.backend, kind.backend,
             first.best().mrays_per_s / kind.best().mrays_per_s,
             first.speed_of("single") / kind.speed_of("single"), kind.hit_mismatches,
-            100 * kind.prim_agreement);
+            kind.hit_doubts, 100 * kind.prim_agreement, kind.prim_mismatches);
     }
 }
 
@@ -137,7 +138,9 @@ Json json_of(const MeshSpeed& speed, const RayBench& bench) {
                        .set("single_ratio", kind.speed_of("single") / first.speed_of("single"))
                        .set("modes", modes)
                        .set("hit_mismatches", kind.hit_mismatches)
-                       .set("prim_agreement", kind.prim_agreement));
+                       .set("hit_doubts", kind.hit_doubts)
+                       .set("prim_agreement", kind.prim_agreement)
+                       .set("prim_mismatches", kind.prim_mismatches));
     }
     Json builds = Json::object();
     for (std::size_t i = 0; i < bench.backends.size(); ++i) {

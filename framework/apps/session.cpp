@@ -50,6 +50,9 @@ void SceneOptions::declare(Arguments& arguments) {
     arguments.option("--camera", camera, "X,Y,Z,YAW,PITCH[,ROLL[,FOV]]",
                      "look from elsewhere; degrees");
     arguments.option("--root", root, "DIR", "the scene may read files under this folder only");
+    arguments.option("--backend", backend, "NAME",
+                     "luch, or embree where it is installed: finds the triangles; pictures differ "
+                     "at most where two are at the same distance, or at a rim, by rounding");
     arguments.flag("--strict", strict, "warnings about the scene file are errors");
     arguments.flag("--no-skip", no_skip,
                    "run every stage, also those that the scene does not need");
@@ -95,6 +98,7 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
         throw Error(
             fmt::format("--spp {}: give 1 to 1000000, or 0 for the scene's own", options.spp));
     }
+    const Backend backend = parsed_backend(options.backend);
     const auto loading = std::chrono::steady_clock::now();
     Loaded loaded = load_scene(scene_file, {.root = options.root, .strict = options.strict});
     for (const std::string& warning : loaded.warnings) {
@@ -103,7 +107,7 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
     scene_ = std::make_unique<Scene>(std::move(loaded.scene));
     load_ms_ = ms_since(loading);
     const auto building = std::chrono::steady_clock::now();
-    accelerator_ = build_accelerator(*scene_);
+    accelerator_ = build_accelerator(*scene_, parsed_isa(""), backend);
     build_ms_ = ms_since(building);
     shot_ = shot_of(*scene_);
     if (!options.size.empty()) shot_.size = parsed_size(options.size);

@@ -18,6 +18,7 @@ struct SceneOptions {
     std::uint64_t seed = 0;
     std::string camera;  ///< "x,y,z,yaw,pitch[,roll[,fov]]", "" as the scene says
     std::string root;
+    std::string backend = "luch";
     bool strict = false;
     bool no_skip = false;
 

@@ -12,10 +12,12 @@ function(luch_kernels target)
     set(kernel ${target}_${level})
     add_library(${kernel} OBJECT ${ARGN})
     target_compile_definitions(${kernel} PRIVATE LUCH_LEVEL=${level} NDEBUG)
-    # -Wno-…: GCC 12 warns of its own AVX-512 headers (GCC bug 105593). Sanitizers would take minutes
-    # for each level to compile.
-    target_compile_options(${kernel} PRIVATE -O3 -fno-exceptions -fno-sanitize=all
-                                             -Wno-uninitialized -Wno-maybe-uninitialized)
+    # Sanitizers would take minutes for each level to compile. -Wno-…: GCC 12 warns of its own AVX-512
+    # headers (GCC bug 105593).
+    target_compile_options(${kernel} PRIVATE -O3 -fno-exceptions -fno-sanitize=all)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      target_compile_options(${kernel} PRIVATE -Wno-uninitialized -Wno-maybe-uninitialized)
+    endif()
     if(level STREQUAL "plain")
       target_compile_definitions(${kernel} PRIVATE LUCH_PLAIN_LANES)
     else()

@@ -67,6 +67,8 @@ function(generate_catalogue)
   list(REMOVE_DUPLICATES libraries)
   configure_file(${CMAKE_SOURCE_DIR}/framework/cmake/catalogue.cpp.in
                  ${CMAKE_BINARY_DIR}/catalogue.cpp @ONLY)
-  add_library(luch_catalogue STATIC ${CMAKE_BINARY_DIR}/catalogue.cpp)
+  # The search goes with the list: in luch_technique it would leave programs without one unlinked.
+  add_library(luch_catalogue STATIC ${CMAKE_BINARY_DIR}/catalogue.cpp
+              ${CMAKE_SOURCE_DIR}/framework/technique/catalogue.cpp)
   target_link_libraries(luch_catalogue PUBLIC luch_technique PRIVATE ${libraries})
 endfunction()

@@ -19,6 +19,13 @@ struct Ray {
     [[nodiscard]] Vec3d at(double t) const { return origin + t * direction; }
 };
 
+/// What the t of a hit must exceed on a ray with that t_min. Below the least normal number t counts
+/// as 0, so that the hits are the same where a processor takes denormal numbers for 0.
+[[nodiscard]] inline float least_t(float t_min) {
+    constexpr float normal = std::numeric_limits<float>::min(), largest_denormal = 0x1.fffffcp-127f;
+    return std::abs(t_min) < normal ? largest_denormal : t_min;
+}
+
 /// Index of a node in Scene::nodes; `no_node` means none.
 using NodeId = std::uint32_t;
 inline constexpr NodeId no_node = ~NodeId{0};

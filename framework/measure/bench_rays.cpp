@@ -1,6 +1,7 @@
 #include "framework/measure/bench_rays.h"
 
 #include "framework/accel/embree.h"
+#include "framework/measure/bench_judge.h"
 #include "framework/measure/bench_shots.h"
 #include "framework/measure/metrics.h"
 #include "framework/parallel/workers.h"
@@ -139,20 +140,38 @@ double seconds_of(const Contender& contender) {
     return sum;
 }
 
+/// Counts a ray that one hits and the other does not, or where they meet two triangles.
+void judge(const Mesh& mesh, double scale, const Ray& ray, const Hit& ours, const Hit& theirs,
+           RayKindSpeed& speed) {
+    const Judgement truth = judged(mesh, scale, ray);
+    if (static_cast<bool>(theirs) != static_cast<bool>(ours)) {
+        ++(truth.verdict == Verdict::doubtful ? speed.hit_doubts : speed.hit_mismatches);
+        return;
+    }
+    const auto right = [&](const Hit& hit) {
+        return std::ranges::count(truth.nearest, hit.primitive) > 0;
+    };
+    if (!right(ours) || !right(theirs)) ++speed.prim_mismatches;
+}
+
 /// Compares luch's hits with those of Embree's robust mode.
-void compare(const Own& own, const EmbreeScene& robust, const BenchShots& shots,
+void compare(const Own& own, const EmbreeScene& robust, const BenchShots& shots, double scale,
              RayKindSpeed& speed) {
     const auto batch = robust.batch(shots.rays, EmbreeMode::single, false);
     batch->reset();
     batch->shoot(0, shots.rays.size(), shots.occlusion);
+    const Mesh& mesh = std::get<Mesh>(own.scene.geometries[0]);
     std::uint64_t both = 0, same = 0;
     for (std::size_t i = 0; i < shots.rays.size(); ++i) {
         if (!(shots.rays[i].t_max > shots.rays[i].t_min)) continue;
         const Hit theirs = batch->hit(i), &ours = own.hits[i];
-        if (static_cast<bool>(theirs) != static_cast<bool>(ours)) ++speed.hit_mismatches;
-        if (!theirs || !ours) continue;
-        ++both;
-        same += theirs.primitive == ours.primitive || shots.occlusion ? 1 : 0;
+        const bool agree = theirs.primitive == ours.primitive || shots.occlusion;
+        if (theirs && ours) {
+            ++both;
+            same += agree ? 1 : 0;
+        }
+        if (agree && static_cast<bool>(theirs) == static_cast<bool>(ours)) continue;
+        judge(mesh, scale, shots.rays[i], ours, theirs, speed);
     }
     speed.prim_agreement = both > 0 ? static_cast<double>(same) / static_cast<double>(both) : 1;
 }
@@ -163,7 +182,8 @@ std::vector<RayKindSpeed> speeds_of(const std::vector<Contender>& contenders,
     const auto rays = static_cast<double>(shots.active);
     for (const Contender& each : contenders) {
         if (speeds.empty() || speeds.back().backend != each.backend) {
-            speeds.push_back({kind, each.backend, {}, shots.active, 0, 1});
+            speeds.push_back(
+                {.kind = kind, .backend = each.backend, .modes = {}, .rays = shots.active});
         }
         speeds.back().modes.push_back({each.mode, 1e-6 * rays / seconds_of(each),
                                        static_cast<double>(each.work.boxes) / rays,
@@ -208,8 +228,9 @@ BenchShots shots_of(const std::string& kind, const Own& own, const BenchView& vi
     WorkCounts work;
     std::vector<Hit> hits;
     for (const Ray& ray : primary.rays) hits.push_back(own.accelerator->closest(ray, work));
-    if (kind == "shadow") return shadow_shots(view, primary, hits);
-    return diffuse_shots(own.scene, primary, hits, 1e-4 * glm::length(view.at - view.eye));
+    const double offset = 1e-4 * glm::length(view.at - view.eye);
+    if (kind == "shadow") return shadow_shots(own.scene, view, hits, offset);
+    return diffuse_shots(own.scene, primary, hits, offset);
 }
 
 }  // namespace
@@ -249,7 +270,7 @@ MeshSpeed raced(const std::string& name, const Mesh& mesh, const BenchView& view
         for (int i = 0; i * chunk < static_cast<int>(shots.rays.size()); ++i) {
             shoot_alone(own, shots, i);
         }
-        if (robust) compare(own, *robust, shots, speeds.back());
+        if (robust) compare(own, *robust, shots, bench.scale, speeds.back());
         result.kinds.insert(result.kinds.end(), speeds.begin(), speeds.end());
     }
     return result;

@@ -30,9 +30,12 @@ struct RayKindSpeed {
     std::string kind, backend;
     std::vector<RayModeSpeed> modes;
     /// Rays that one of luch and this back end (Embree: in its robust mode) hits and the other does
-    /// not, and the share of the rest where both meet the same triangle.
-    std::uint64_t rays = 0, hit_mismatches = 0;
+    /// not, although what is right is in no doubt; and those where it is, see bench_judge.h.
+    std::uint64_t rays = 0, hit_mismatches = 0, hit_doubts = 0;
+    /// The share of the rays that both hit where they meet the same triangle. Those where they do
+    /// not and only one triangle can be right: prim_mismatches.
     double prim_agreement = 1;
+    std::uint64_t prim_mismatches = 0;
 
     [[nodiscard]] const RayModeSpeed& best() const;
     [[nodiscard]] double speed_of(const std::string& mode) const;  ///< 0 when there is none

@@ -19,8 +19,6 @@ std::pair<int, int> pixel_of(int i, int side) {
             tile / across * 16 + block / 4 * 4 + inner / 4};
 }
 
-constexpr Ray nothing_asked{{0, 0, 0}, {0, 0, 1}, 0, -1};
-
 void add(BenchShots& shots, const Ray& ray) {
     shots.rays.push_back(ray);
     shots.active += ray.t_max > ray.t_min ? 1 : 0;
@@ -42,6 +40,25 @@ Vec3d bounce(const Vec3d& normal, Key key) {
     return normal + Vec3d(radius * std::cos(angle), radius * std::sin(angle), height) * 0.999;
 }
 
+/// A point of a surface, lifted off it along the normal that points to `towards`.
+struct Lifted {
+    Vec3d point, normal;
+};
+
+Lifted lifted(const Scene& scene, const Hit& hit, const Vec3d& towards, double offset) {
+    const Node& node = scene.nodes[hit.node];
+    const Mesh& mesh = std::get<Mesh>(scene.geometries[node.geometry]);
+    std::array<Vec3d, 3> corner;
+    for (int k = 0; k < 3; ++k) {
+        corner[k] = node.to_world.point(Vec3d(mesh.corner(hit.primitive, k)));
+    }
+    const Vec3d edge1 = corner[1] - corner[0], edge2 = corner[2] - corner[0];
+    const Vec3d point = corner[0] + double{hit.u} * edge1 + double{hit.v} * edge2;
+    Vec3d normal = glm::normalize(glm::cross(edge1, edge2));
+    if (glm::dot(normal, towards - point) < 0) normal = -normal;
+    return {point + offset * normal, normal};
+}
+
 }  // namespace
 
 BenchShots primary_shots(const BenchView& view, int side) {
@@ -59,16 +76,19 @@ BenchShots primary_shots(const BenchView& view, int side) {
     return shots;
 }
 
-BenchShots shadow_shots(const BenchView& view, const BenchShots& primary,
-                        std::span<const Hit> hits) {
+BenchShots shadow_shots(const Scene& scene, const BenchView& view, std::span<const Hit> hits,
+                        double offset) {
     BenchShots shots;
     shots.occlusion = true;
     const Vec3d light = rounded(view.light);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        const Vec3d to_point = rounded(primary.rays[i].at(hits[i].t) - light);
-        add(shots, hits[i] ? Ray{light, to_point, 0, 1 - 1e-4f} : nothing_asked);
+        if (!hits[i]) {
+            add(shots, {light, {0, 0, 1}, 0, -1});
+            continue;
+        }
+        const Lifted place = lifted(scene, hits[i], light, offset);
+        add(shots, {light, rounded(place.point - light), 0, 1});
     }
-    for (Ray& ray : shots.rays) ray.origin = light;
     pack(shots, light);
     return shots;
 }
@@ -78,17 +98,11 @@ BenchShots diffuse_shots(const Scene& scene, const BenchShots& primary, std::spa
     BenchShots shots;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         if (!hits[i]) {
-            add(shots, nothing_asked);
+            add(shots, {{0, 0, 0}, {0, 0, 1}, 0, -1});
             continue;
         }
-        const Node& node = scene.nodes[hits[i].node];
-        const Mesh& mesh = std::get<Mesh>(scene.geometries[node.geometry]);
-        const Vec3d a(mesh.corner(hits[i].primitive, 0)), b(mesh.corner(hits[i].primitive, 1)),
-            c(mesh.corner(hits[i].primitive, 2));
-        Vec3d normal = glm::normalize(glm::cross(b - a, c - a));
-        if (glm::dot(normal, primary.rays[i].direction) > 0) normal = -normal;
-        const Vec3d point = primary.rays[i].at(hits[i].t) + offset * normal;
-        add(shots, {rounded(point), rounded(bounce(normal, Key(1).branch(i)))});
+        const Lifted place = lifted(scene, hits[i], primary.rays[i].origin, offset);
+        add(shots, {rounded(place.point), rounded(bounce(place.normal, Key(1).branch(i)))});
     }
     return shots;
 }

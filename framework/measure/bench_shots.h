@@ -21,10 +21,12 @@ struct BenchShots {
 
 /// Primary rays of a side × side frame.
 BenchShots primary_shots(const BenchView& view, int side);
-/// From the light to what the primary rays met.
-BenchShots shadow_shots(const BenchView& view, const BenchShots& primary,
-                        std::span<const Hit> hits);
-/// One cosine-weighted bounce off what the primary rays met; `offset` lifts it off the surface.
+/// From the light to what the primary rays met; `offset` lifts the end of the ray off the surface,
+/// towards the light.
+BenchShots shadow_shots(const Scene& scene, const BenchView& view, std::span<const Hit> hits,
+                        double offset);
+/// One cosine-weighted bounce off what the primary rays met; `offset` lifts it off the surface,
+/// towards the eye.
 BenchShots diffuse_shots(const Scene& scene, const BenchShots& primary, std::span<const Hit> hits,
                          double offset);
 

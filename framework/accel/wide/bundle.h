@@ -188,7 +188,7 @@ inline void bound_cone(Bundle& bundle, const Ranges (&directions)[3]) {
 inline void fill(Bundle& bundle, const RayPacket& rays, const Transform& to_object,
                  const float* limits) {
     bundle.origin = Vec3(to_object.point(rays.origin));
-    bundle.t_min = rays.t_min;
+    bundle.t_min = least_t(rays.t_min);
     turn(rays, to_object, bundle);
     std::copy(limits, limits + rays.count, bundle.t);
     std::fill(bundle.t + rays.count, bundle.t + RayPacket::capacity, -infinite);

@@ -71,7 +71,7 @@ void closest_packet(const Tree& tree, const Transform& to_object, const RayPacke
     fill(bundle, rays, to_object, hits.t);
     search_untamed(rays, to_object, bundle, [&](int i, const ObjectRay& ray) {
         Hit best = hits.hit(i);
-        search<false>(tree, ray, node, best, work);
+        closest(tree, ray, node, best, work);
         hits.set(i, best);
     });
     if (!bound(bundle)) return;
@@ -83,7 +83,7 @@ void closest_packet(const Tree& tree, const Transform& to_object, const RayPacke
     if (finished) return;
     each_ray_left(bundle, [&](int i) {
         Hit best = hits.hit(i);
-        if (search<false>(tree, bundle.ray(i, rays.t_max[i]), node, best, work)) hits.set(i, best);
+        if (closest(tree, bundle.ray(i, rays.t_max[i]), node, best, work)) hits.set(i, best);
     });
 }
 
@@ -92,16 +92,14 @@ void occluded_packet(const Tree& tree, const Transform& to_object, const RayPack
     Bundle bundle;
     fill(bundle, rays, to_object, limits);
     search_untamed(rays, to_object, bundle, [&](int i, const ObjectRay& ray) {
-        Hit blocker{.t = ray.t_max};
-        if (search<true>(tree, ray, 0, blocker, work)) limits[i] = -infinite;
+        if (occluded(tree, ray, work)) limits[i] = -infinite;
     });
     if (!bound(bundle)) return;
     Found found;
     const bool finished = PacketSearch<true>(tree, 0, nullptr, bundle, found).run(work);
     if (!finished) {
         each_ray_left(bundle, [&](int i) {
-            Hit blocker{.t = rays.t_max[i]};
-            if (!search<true>(tree, bundle.ray(i, rays.t_max[i]), 0, blocker, work)) return;
+            if (!occluded(tree, bundle.ray(i, rays.t_max[i]), work)) return;
             found.improved[i / groups] |= 1u << (i % groups);
         });
     }

@@ -10,26 +10,13 @@
 
 namespace luch::wide {
 
-/// A transform with the components of each row side by side, for rays one by one.
-struct alignas(32) Frame {
-    double row[4][4];  ///< the last: the offset
-
-    explicit Frame(const Transform& transform) {
-        for (int k = 0; k < 4; ++k) {
-            for (int r = 0; r < 3; ++r) row[r][k] = k < 3 ? transform.matrix[k][r] : 0;
-            row[3][k] = k < 3 ? transform.offset[k] : 0;
-        }
-    }
-};
-
 /// The searches through a tree, compiled for one level of the processor. All levels give the same
 /// bits; see kernel.cpp.
 struct Kernels {
     /// Improves `best`, by nearer(), with the triangles of a tree seen as `node`; true when it did.
-    /// The frame leads the ray from world space to the tree.
-    bool (*closest)(const Tree&, const Frame&, const Ray&, NodeId node, Hit& best, WorkCounts&);
+    bool (*closest)(const Tree&, const ObjectRay&, NodeId node, Hit& best, WorkCounts&);
     /// Whether any triangle is hit.
-    bool (*occluded)(const Tree&, const Frame&, const Ray&, WorkCounts&);
+    bool (*occluded)(const Tree&, const ObjectRay&, WorkCounts&);
     /// The same for the rays of a packet in world space, which `to_object` leads to the tree. In:
     /// hits.t is the limit of each ray, −∞ for those that look for nothing.
     void (*closest_packet)(const Tree&, const Transform& to_object, const RayPacket&, NodeId node,

@@ -17,6 +17,8 @@ template <class T>
 struct Three {
     T x, y, z;
 };
+template <class T>
+Three(T, T, T) -> Three<T>;
 
 template <class A, class B>
 LUCH_INLINE auto minus(const Three<A>& a, const Three<B>& b) {
@@ -69,7 +71,9 @@ LUCH_INLINE T size_of(const Three<T>& corner, const T& edge) {
 }
 template <class A, class S>
 LUCH_INLINE auto sign_bound(const A& size, const A& edge, const S& sum) {
-    return size * (edge + size * 0x1p-22f) * (sum * relative_bound) + (sum + 1.0f) * smallest_bound;
+    // Infinite where any product of the value may overflow: the small factor comes last.
+    return size * (edge + size * 0x1p-22f) * (sum * 8.0f) * (0.125f * relative_bound) +
+           (sum + 1.0f) * smallest_bound;
 }
 
 }  // namespace

@@ -224,25 +224,6 @@ LUCH_INLINE void count(std::uint32_t nodes, std::uint32_t blocks, WorkCounts& wo
     work.primitives += std::uint64_t{blocks} * block_width;
 }
 
-/// The same operations as Transform::ray and object_ray(), for three components at once.
-LUCH_INLINE ObjectRay turned(const Ray& ray, const Frame& frame) {
-    const auto& row = frame.row;
-    float origin[4], direction[4], inverse[4];
-    for (int k = 0; k < 4; ++k) {
-        origin[k] = static_cast<float>(ray.origin.x * row[0][k] + ray.origin.y * row[1][k] +
-                                       ray.origin.z * row[2][k] + row[3][k]);
-        direction[k] =
-            static_cast<float>(ray.direction.x * row[0][k] + ray.direction.y * row[1][k] +
-                               ray.direction.z * row[2][k]);
-        inverse[k] = 1 / direction[k];
-    }
-    return {{origin[0], origin[1], origin[2]},
-            {direction[0], direction[1], direction[2]},
-            {inverse[0], inverse[1], inverse[2]},
-            ray.t_min,
-            ray.t_max};
-}
-
 /// Improves best, or stops at anything that does.
 template <bool any>
 bool search(const Tree& tree, const ObjectRay& ray, NodeId node_id, Hit& best, WorkCounts& work) {
@@ -281,14 +262,13 @@ bool search(const Tree& tree, const ObjectRay& ray, NodeId node_id, Hit& best, W
     return true;
 }
 
-bool closest(const Tree& tree, const Frame& frame, const Ray& ray, NodeId node, Hit& best,
-             WorkCounts& work) {
-    return search<false>(tree, turned(ray, frame), node, best, work);
+bool closest(const Tree& tree, const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) {
+    return search<false>(tree, ray, node, best, work);
 }
 
-bool occluded(const Tree& tree, const Frame& frame, const Ray& ray, WorkCounts& work) {
+bool occluded(const Tree& tree, const ObjectRay& ray, WorkCounts& work) {
     Hit blocker{.t = ray.t_max};
-    return search<true>(tree, turned(ray, frame), 0, blocker, work);
+    return search<true>(tree, ray, 0, blocker, work);
 }
 
 }  // namespace

@@ -1,0 +1,131 @@
+#include "framework/accel/hit.h"
+#include "tests/stability/ask.h"
+#include "tests/testing/everything.h"
+#include "tests/testing/meshes.h"
+#include "tests/testing/scenes.h"
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
+namespace luch::stability {
+namespace {
+
+using testing::random_point;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+double extreme_number(Key key) {
+    constexpr double numbers[] = {nan,   inf,   -inf, 0.0,  -0.0,  1e-310, 1e-45, -1e-39, 1e-30,
+                                  1e-19, -1e-5, 1e5,  1e19, -1e30, 1e38,   1e45,  1,      -1};
+    return numbers[key.bits(0) % std::size(numbers)];
+}
+
+/// `which` tells where extreme numbers stand: 0 directions, 1 origins, 2 t_min, 3 t_max.
+RayPacket extreme_packet(const Scene& scene, std::uint64_t which, int count, Key key) {
+    RayPacket rays;
+    rays.origin = random_point(key.branch(0), 10);
+    if (which == 1) rays.origin[key.bits(1) % 3] = extreme_number(key.branch(2));
+    if (which == 2) rays.t_min = static_cast<float>(extreme_number(key.branch(3)));
+    for (int i = 0; i < count; ++i) {
+        const Key own = key.branch(i + 4);
+        Vec3d direction = testing::awkward_point(scene, own.branch(0)) - rays.origin;
+        double t_max = inf;
+        if (which == 0) {
+            direction[own.bits(1) % 3] = extreme_number(own.branch(2));
+            if (own.bits(3) % 2 == 0) direction[own.bits(4) % 3] = extreme_number(own.branch(5));
+            if (own.bits(3) % 4 == 1) direction *= extreme_number(own.branch(6));
+        }
+        if (which == 3) t_max = extreme_number(own.branch(7));
+        rays.add(direction, static_cast<float>(t_max));
+    }
+    return rays;
+}
+
+bool is_no_ray(const Ray& ray) {
+    return !all_finite(ray.origin) || !all_finite(ray.direction) ||
+           max_norm(ray.direction) < std::numeric_limits<double>::min() || !(ray.t_min < ray.t_max);
+}
+
+/// intersect_triangle() must leave what it is given alone when it finds nothing.
+void judge_record(const Ray& ray, Counts& counts) {
+    constexpr TriangleHit before{-7, -8, -9};
+    TriangleHit hit = before;
+    const bool found =
+        intersect_triangle(object_ray(ray), {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}, false, hit);
+    const bool same = hit.t == before.t && hit.u == before.u && hit.v == before.v;
+    counts.judge(found ? !std::isnan(hit.t + hit.u + hit.v) : same,
+                 [&] { return words_of(ray) + ": the record was written, or is NaN"; });
+}
+
+#if defined(__SSE__)
+/// Denormals flushed to zero, as inputs too (FTZ and DAZ), until the end of its life.
+class Flushed {
+ public:
+    Flushed() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040); }
+    Flushed(const Flushed&) = delete;
+    Flushed& operator=(const Flushed&) = delete;
+    ~Flushed() { _mm_setcsr(before_); }
+
+ private:
+    unsigned before_;
+};
+#else
+struct Flushed {};
+#endif
+
+}  // namespace
+
+Counts extreme_rays(const Effort& effort) {
+    Counts counts;
+    const Scene scene = testing::bit_of_everything();
+    const auto accelerator = build_accelerator(scene, effort.isa);
+    each_packet(effort.of(200'000), Key(52), [&](Key key, int count) {
+        const RayPacket rays = extreme_packet(scene, key.bits(0) % 4, count, key.branch(1));
+        ask(*accelerator, rays, counts, [&](int i, const Hit& hit) {
+            const Ray ray = rays.ray(i);
+            if (is_no_ray(ray)) return hit == Hit{};
+            return hit == closest_brute(scene, ray);
+        });
+        for (int i = 0; i < count; ++i) judge_record(rays.ray(i), counts);
+    });
+    return counts;
+}
+
+Counts rays_without_denormals(const Effort& effort) {
+    Counts counts;
+    const Scene scene = testing::bit_of_everything();
+    const auto accelerator = build_accelerator(scene, effort.isa);
+    WorkCounts work;
+    each_packet(effort.of(2'000'000), Key(53), [&](Key key, int count) {
+        const RayPacket rays = extreme_packet(scene, key.bits(0) % 5, count, key.branch(1));
+        HitPacket packet, flushed_packet;
+        accelerator->closest(rays, packet, work);
+        for (int i = 0; i < count; ++i) {
+            const Ray ray = rays.ray(i);
+            const Hit hit = accelerator->closest(ray, work);
+            const Hit flushed = [&] {
+                const Flushed during;
+                return accelerator->closest(ray, work);
+            }();
+            counts.judge(hit.node == flushed.node && hit.primitive == flushed.primitive, [&] {
+                return fmt::format("{}: node {} triangle {} becomes node {} triangle {}",
+                                   words_of(ray), hit.node, hit.primitive, flushed.node,
+                                   flushed.primitive);
+            });
+        }
+        {
+            const Flushed during;
+            accelerator->closest(rays, flushed_packet, work);
+        }
+        for (int i = 0; i < count; ++i) {
+            const bool same = packet.node[i] == flushed_packet.node[i] &&
+                              packet.primitive[i] == flushed_packet.primitive[i];
+            counts.judge(same, [&] { return words_of(rays.ray(i)) + ": in a packet"; });
+        }
+    });
+    return counts;
+}
+
+}  // namespace luch::stability
