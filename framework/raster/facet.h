@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+
+// What the stages of the rasteriser hand on, and why they may trust it.
+//
+// A ray hits a triangle unless two of the signs of w_k = (a_i × a_j)·d are opposite (hit.h). With d
+// replaced by the longer D(X, Y) of View, w_k is linear in X and Y. It is computed in float as
+// n_k·d + X n_k·dx + Y n_k·dy, n_k = a_i × (a_j − a_i), divided by its bound B and with the sign of
+// (a0 × a1)·a2, so that a triangle ahead has positive values. Rounding, in u = 2⁻²⁴ and units of
+// size · edge · sum (lanes.h): n_k 6, the products with D 8, X and Y 2, the sums 7, the division 4,
+// and 2 for the rounding of the ray's own direction: 29. B is 40 of them, more than enough for
+// edge_sign() to be certain as well. So a value above 1 is certainly inside its edge, one below −1
+// certainly outside; between, nobody knows (it is in doubt).
+//
+// What follows, exactly:
+//  - opposite certain signs are a miss;
+//  - a positive sign of all three is a hit if (a0 × a1)·a2 is certain, at the t of the plane;
+//  - three negative ones are a miss then: t < 0, and the slab of the triangle's box ends below 0;
+//  - whatever is hit is hit within the triangle's box: t is clamped to its slab.
+// The inverse depth n·D / n·a0, n the normal, is off from that of the hit function by at most the
+// share `rho`: both numerators together by 64u · edge² · sum, both denominators by 48u · edge² ·
+// Σ|a0|, so rho = 77u · edge² · (Σ|a0| + sum · t) / |n·a0|.
+namespace luch::raster {
+
+/// Pixels x0 ≤ x ≤ x1, y0 ≤ y ≤ y1.
+struct Span {
+    std::int16_t x0, y0, x1, y1;
+    [[nodiscard]] bool empty() const { return x1 < x0 || y1 < y0; }
+};
+
+enum class Kind : std::uint32_t {
+    /// All corners well ahead of the eye and no sliver: some edge value is above 1 at every pixel,
+    /// and outside of the span some is below −1. A value below −1 is a miss.
+    regular,
+    crossing,  ///< some corners are behind the eye: a miss when signs are opposite, or all negative
+    turned,    ///< the same, seen from the side that is culled: no sign is positive where it is hit
+    doubtful,  ///< nothing is certain but opposite signs
+};
+
+/// A triangle as seen by a frame. Values are linear: [0] + X · [1] + Y · [2].
+struct alignas(64) Facet {
+    float edge[3][3];  ///< in units of their bound
+    float depth[3];    ///< inverse depth, of no meaning for doubtful and turned ones
+    float rho;         ///< relative error of that
+    float doubt;       ///< inverse depth that no hit in doubt exceeds
+    std::uint32_t item;
+    Kind kind;
+};
+
+/// What draw() works through.
+struct Entry {
+    const Facet* facet;
+    Span span;
+};
+
+/// Items are numbers of triangles, over all nodes; the highest bit says ambiguous.
+inline constexpr std::uint32_t ambiguous_bit = 0x80000000u;
+inline constexpr std::uint32_t no_item = 0x7fffffffu;
+
+/// The frame is cut into bins of side 64, 16 tiles a bin, 16 cells a tile, 16 pixels a cell, each
+/// of them in rows of four.
+inline constexpr int bin_side = 64;
+inline constexpr int cells_of_bin = 256;
+inline constexpr int pixels_of_bin = 4096;
+
+/// A cell while it is drawn.
+struct alignas(64) Cell {
+    float near[16];       ///< inverse depth that the nearest certain hit has at least
+    float near_most[16];  ///< that it has at most
+    float rival[16];      ///< that all the others have at most
+    float item[16];       ///< the bits of the nearest one's
+};
+
+}  // namespace luch::raster
