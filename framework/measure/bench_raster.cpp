@@ -38,7 +38,7 @@ Camera camera_of(const BenchView& view, Size size) {
     Camera camera;
     camera.position = view.eye;
     camera.yaw_deg = -std::atan2(ahead.x, ahead.z) * 180 / std::numbers::pi;
-    camera.pitch_deg = -std::asin(ahead.y) * 180 / std::numbers::pi;
+    camera.pitch_deg = std::asin(ahead.y) * 180 / std::numbers::pi;
     camera.aspect = static_cast<double>(size.width) / size.height;
     const double diagonal = std::sqrt(camera.aspect * camera.aspect + 1) / std::numbers::sqrt3;
     camera.fov_deg = 2 * std::atan(diagonal) * 180 / std::numbers::pi;

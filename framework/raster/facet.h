@@ -20,8 +20,11 @@
 //  - whatever is hit is hit within the triangle's box: t is clamped to its slab.
 // The inverse depth n·D / n·a0, n the normal, is off from that of the hit function by at most the
 // share `rho`: both numerators together by 64u · edge² · sum, both denominators by 48u · edge² ·
-// Σ|a0|, so rho = 77u · edge² · (Σ|a0| + sum · t) / |n·a0|.
+// Σ|a0|, so rho = 77u · edge² · (Σ|a0| + 1.1 sum · t) / |n·a0|, as long as it is below 1/16.
 namespace luch::raster {
+
+/// Depths whose relative error is larger are of no use.
+inline constexpr float most_rho = 1.0f / 16;
 
 /// Pixels x0 ≤ x ≤ x1, y0 ≤ y ≤ y1.
 struct Span {
@@ -30,8 +33,8 @@ struct Span {
 };
 
 enum class Kind : std::uint32_t {
-    /// All corners well ahead of the eye and no sliver: some edge value is above 1 at every pixel,
-    /// and outside of the span some is below −1. A value below −1 is a miss.
+    /// All corners well ahead of the eye and no sliver: at every pixel some sign is certain to be
+    /// positive, outside of the span some other to be negative. A value below −1 is a miss.
     regular,
     crossing,  ///< some corners are behind the eye: a miss when signs are opposite, or all negative
     turned,    ///< the same, seen from the side that is culled: no sign is positive where it is hit
@@ -43,7 +46,10 @@ struct alignas(64) Facet {
     float edge[3][3];  ///< in units of their bound
     float depth[3];    ///< inverse depth, of no meaning for doubtful and turned ones
     float rho;         ///< relative error of that
-    float doubt;       ///< inverse depth that no hit in doubt exceeds
+    /// What no inverse depth in doubt exceeds; where negative, its size is what it may exceed the
+    /// value of `depth` by at pixels whose edge values are all ≥ −1, and nothing is known of
+    /// others.
+    float doubt;
     std::uint32_t item;
     Kind kind;
 };

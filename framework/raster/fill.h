@@ -107,7 +107,8 @@ class Filler {
     LUCH_INLINE void paint(Cell& cell, float x, float y) const {
         const Sixteen e0 = edge_[0].at(x, y), e1 = edge_[1].at(x, y), e2 = edge_[2].at(x, y);
         const Sixteen lo = min_or(e0, min_or(e1, e2));
-        unsigned maybe = Sixteen(-1.0f) <= lo;
+        const unsigned inner = Sixteen(-1.0f) <= lo;
+        unsigned maybe = inner;
         unsigned certain = 0;
         if (kind == Kind::regular || kind == Kind::crossing) certain = Sixteen(1.0f) < lo;
         if (kind != Kind::regular) {
@@ -120,7 +121,7 @@ class Filler {
         if (maybe == 0) return;
         const Sixteen depth = depth_.at(x, y);
         Sixteen hi = depth * (1 + facet_.rho);
-        if (maybe != certain) hi = Sixteen::select(certain, hi, facet_.doubt);
+        if (maybe != certain) hi = Sixteen::select(certain, hi, in_doubt(depth, inner));
         const Sixteen rival = Sixteen::load(cell.rival);
         const unsigned seen = maybe & (rival < hi);
         if (seen == 0) return;
@@ -136,6 +137,12 @@ class Filler {
         Sixteen::select(wins, lo_depth, near).store(cell.near);
         Sixteen::select(wins, hi, near_most).store(cell.near_most);
         Sixteen::select(wins, item_, Sixteen::load(cell.item)).store(cell.item);
+    }
+
+    LUCH_INLINE Sixteen in_doubt(const Sixteen& depth, unsigned inner) const {
+        if (!(facet_.doubt < 0)) return facet_.doubt;
+        const Sixteen hi = (depth + Sixteen(-facet_.doubt)) * (1 + facet_.rho);
+        return kind == Kind::regular ? hi : Sixteen::select(inner, hi, infinite);
     }
 
     const Facet& facet_;
@@ -163,8 +170,8 @@ LUCH_INLINE void write(const Cell* cells, float* near, float* second, std::uint3
         for (; ambiguous != 0; ambiguous &= ambiguous - 1) {
             items[16 * i + std::countr_zero(ambiguous)] |= ambiguous_bit;
         }
-        if (near != nullptr) depth.store(near + 16 * i);
-        if (second != nullptr) rival.store(second + 16 * i);
+        if (near != nullptr) std::memcpy(near + 16 * i, cell.near, sizeof cell.near);
+        if (second != nullptr) std::memcpy(second + 16 * i, cell.rival, sizeof cell.rival);
     }
 }
 

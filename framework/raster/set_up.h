@@ -55,7 +55,7 @@ class Shape {
  public:
     Three<Sixteen> a[3];    ///< corners relative to the origin
     Three<Sixteen> lo, hi;  ///< and their box
-    Sixteen size, bound, above, spread;
+    Sixteen size, edge, bound, above, spread;
     unsigned sane;
 
     LUCH_INLINE Shape(const View& view, const Block& block, Drafts& drafts) {
@@ -68,7 +68,7 @@ class Shape {
         }
         lo = wide::lower(a[0], wide::lower(a[1], a[2]));
         hi = wide::upper(a[0], wide::upper(a[1], a[2]));
-        const Sixteen edge = Sixteen::load(block.edge);
+        edge = Sixteen::load(block.edge);
         size = wide::size_of(a[0], edge);
         bound = Sixteen(2.5f) * wide::sign_bound(size, edge, Sixteen(view.sum));
         spread = Sixteen(1.2f * 0x1p-18f) * edge * edge;
@@ -135,12 +135,40 @@ LUCH_INLINE unsigned in_sight(const View& view, const Shape& shape) {
     return ~out;
 }
 
-/// The pixels that a regular triangle may cover, and which ones are regular: let M be the larger
+/// What no hit of a triangle exceeds where edges are in doubt, as facet.h has it. Where all values
+/// are ≥ −1, no w_k is below −2 bound; t · d has weights w_k / W in the plane, so it leaves a side
+/// of the box by at most 4 bound / W of the box's width, and clamping to that side at distance m
+/// from the origin makes 1/t larger by 4 bound / ((a0 × a1)·a2) · edge / m at most. The rounding of
+/// n·D adds what rho has of it. Both hold while 1/t exceeds 0.4/reach and that rounding: corners
+/// ahead weigh W ≥ (a0 × a1)·a2 / farthest − 4 bound, any others a third of that for the size.
+/// Where this cannot be used, the box's nearest corner bounds it.
+LUCH_INLINE void bound_doubt(const View& view, const Shape& shape, const Sixteen& reach,
+                             const Sixteen& rho, Drafts& drafts) {
+    const Sixteen zero(0.0f), slack = Sixteen(0x1p-18f) * shape.size * view.size_w;
+    const float turned[3] = {-view.to_w[0], -view.to_w[1], -view.to_w[2]};
+    const Sixteen nearest = zero - upper_in(shape.lo, shape.hi, turned) - slack;
+    const Sixteen of_box = Sixteen::select(slack < nearest, Sixteen(1.0001f) / nearest, infinite);
+    Sixteen closest(infinite);
+    const auto side = [&](const Sixteen& at) {
+        closest = min_or(Sixteen::select(zero < at, at, infinite), closest);
+    };
+    for (const auto& at : {shape.hi.x, shape.hi.y, shape.hi.z}) side(at);
+    for (const auto& at : {shape.lo.x, shape.lo.y, shape.lo.z}) side(zero - at);
+    const Sixteen above = abs(shape.above);
+    const Sixteen rounding = shape.spread * Sixteen(1.1f * view.sum) / above;
+    const Sixteen more = rounding + Sixteen(4.5f) * shape.bound * shape.edge / (closest * above);
+    const unsigned valid = (Sixteen(4.0f) * shape.bound * reach < above) &
+                           (rounding * reach < Sixteen(0.25f)) & (rho <= Sixteen(most_rho)) &
+                           (more < Sixteen(0.5f) * of_box);
+    Sixteen::select(valid, zero - more, of_box).store(drafts.doubt);
+}
+
+/// The pixels that a regular triangle may cover, and which ones are regular. Let M be the larger
 /// side of the corners' span, δ = 1/16 + M/32. For a pixel further than δ outside, the weighted
-/// corners Σ w_k (x_k − x) = 0 all lie on one side, so the least w_k is below
-/// −(Σ w_k) δ / 2(δ + M), certainly so when (a0 × a1)·a2 > 2 (δ + M)/δ · w_k · bound. The factor 3
-/// has room for rounding. The same bound makes some value positive everywhere, and t at pixels in
-/// doubt no larger than 1.03 of the farthest corner's.
+/// corners Σ w_k (x_k − x) = 0 all lie on one side, so some w_k is below −W δ / 2(δ + M), where
+/// W = Σ w_k ≥ (a0 × a1)·a2 / farthest; and some is above W/3. Both signs are certain to the hit
+/// function when that exceeds the rounding of the ray's direction, 2 of the 40 in `bound`, so
+/// (a0 × a1)·a2 > 2 (δ + M)/δ · farthest · bound/16 will do. The factor 3 has room for rounding.
 LUCH_INLINE void bound_span(const View& view, const Shape& shape, Drafts& drafts) {
     const Corners corners(view, shape);
     const Sixteen farthest = max_or(most(corners.w), Sixteen(0.0f));
@@ -148,10 +176,13 @@ LUCH_INLINE void bound_span(const View& view, const Shape& shape, Drafts& drafts
     const Sixteen delta = Sixteen(0x1p-4f) + longer * Sixteen(0x1p-5f);
     const Sixteen rho = shape.rho(view, farthest);
     const unsigned ahead = Sixteen(0x1p-14f) * shape.size * view.size_w < least(corners.w);
-    const Sixteen needed = Sixteen(3.0f) * (delta + longer) * farthest * shape.bound;
+    const Sixteen needed = Sixteen(3.0f / 16) * (delta + longer) * farthest * shape.bound;
     drafts.regular =
-        drafts.sane & ahead & (rho <= Sixteen(0.25f)) & (needed < abs(shape.above) * delta);
+        drafts.sane & ahead & (rho <= Sixteen(most_rho)) & (needed < abs(shape.above) * delta);
     rho.store(drafts.rho);
+    const Sixteen reach =
+        Sixteen::select(ahead, Sixteen(1.5f) * farthest, Sixteen(6 * view.size_w) * shape.size);
+    bound_doubt(view, shape, reach, rho, drafts);
     const float ends[2][2] = {
         {-static_cast<float>(view.middle_x), static_cast<float>(view.width - 1 - view.middle_x)},
         {-static_cast<float>(view.middle_y), static_cast<float>(view.height - 1 - view.middle_y)}};
@@ -169,14 +200,6 @@ LUCH_INLINE void bound_span(const View& view, const Shape& shape, Drafts& drafts
     drafts.seen &= ~(drafts.regular & empty);
 }
 
-/// The inverse depth that a triangle's box allows.
-LUCH_INLINE void bound_doubt(const View& view, const Shape& shape, Drafts& drafts) {
-    const Sixteen slack = Sixteen(0x1p-18f) * shape.size * view.size_w;
-    const float turned[3] = {-view.to_w[0], -view.to_w[1], -view.to_w[2]};
-    const Sixteen nearest = Sixteen(0.0f) - upper_in(shape.lo, shape.hi, turned) - slack;
-    Sixteen::select(slack < nearest, Sixteen(1.0001f) / nearest, infinite).store(drafts.doubt);
-}
-
 LUCH_INLINE void draft(const View& view, const Block& block, Drafts& drafts) {
     const Shape shape(view, block, drafts);
     const unsigned used = (1u << block.count) - 1;
@@ -186,7 +209,6 @@ LUCH_INLINE void draft(const View& view, const Block& block, Drafts& drafts) {
     if (drafts.seen == 0) return;
     bound_span(view, shape, drafts);
     drafts.seen &= ~(drafts.regular & drafts.turned);  // some sign is positive: not hit anywhere
-    bound_doubt(view, shape, drafts);
     for (int axis = 0; axis < 3; ++axis) {
         (axis == 0 ? shape.lo.x : axis == 1 ? shape.lo.y : shape.lo.z).store(drafts.lo[axis]);
         (axis == 0 ? shape.hi.x : axis == 1 ? shape.hi.y : shape.hi.z).store(drafts.hi[axis]);
