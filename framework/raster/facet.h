@@ -5,13 +5,16 @@
 // What the stages of the rasteriser hand on, and why they may trust it.
 //
 // A ray hits a triangle unless two of the signs of w_k = (a_i × a_j)·d are opposite (hit.h). With d
-// replaced by the longer D(X, Y) of View, w_k is linear in X and Y. It is computed in float as
-// n_k·d + X n_k·dx + Y n_k·dy, n_k = a_i × (a_j − a_i), divided by its bound B and with the sign of
-// (a0 × a1)·a2, so that a triangle ahead has positive values. Rounding, in u = 2⁻²⁴ and units of
-// size · edge · sum (lanes.h): n_k 6, the products with D 8, X and Y 2, the sums 7, the division 4,
-// and 2 for the rounding of the ray's own direction: 29. B is 40 of them, more than enough for
-// edge_sign() to be certain as well. So a value above 1 is certainly inside its edge, one below −1
-// certainly outside; between, nobody knows (it is in doubt).
+// replaced by the longer D(X, Y) of View, w_k is linear in X and Y. Its coefficients are found in
+// double, counted from an anchor beside the triangle, divided by a bound, given the sign of
+// (a0 × a1)·a2, so that a triangle ahead has positive values, and rounded to float. Errors, in
+// u = 2⁻²⁴ and units of size · edge (lanes.h): 2 sum for the rounding of the ray's own direction;
+// the value is a sum of parts none of which exceeds it by more than m Σ(|dx_i| + |dy_i|) · 2, m the
+// number of pixels from the anchor in X or Y, each of them rounded 6 times: 24 m Σ(|dx_i| +
+// |dy_i|). The bound is 3 sum + 26 m Σ(|dx_i| + |dy_i|), enough for edge_sign() to be certain as
+// well. So a value above 1 is certainly inside its edge, one below −1 certainly outside; between,
+// nobody knows (it is in doubt). Squares of pixels are judged by their corners, which may be 130
+// pixels further from the anchor than m, at least 10, allows: less than 16 bounds.
 //
 // What follows, exactly:
 //  - opposite certain signs are a miss;
@@ -25,6 +28,9 @@ namespace luch::raster {
 
 /// Depths whose relative error is larger are of no use.
 inline constexpr float most_rho = 1.0f / 16;
+
+/// Beyond this, values at the corners of squares are certain.
+inline constexpr float far_outside = 16;
 
 /// Pixels x0 ≤ x ≤ x1, y0 ≤ y ≤ y1.
 struct Span {
@@ -41,7 +47,8 @@ enum class Kind : std::uint32_t {
     doubtful,  ///< nothing is certain but opposite signs
 };
 
-/// A triangle as seen by a frame. Values are linear: [0] + X · [1] + Y · [2].
+/// A triangle as seen by a frame. Values are linear: [0] + X · [1] + Y · [2], X and Y counted from
+/// pixel (x, y) of the frame.
 struct alignas(64) Facet {
     float edge[3][3];  ///< in units of their bound
     float depth[3];    ///< inverse depth, of no meaning for doubtful and turned ones
@@ -51,7 +58,8 @@ struct alignas(64) Facet {
     /// others.
     float doubt;
     std::uint32_t item;
-    Kind kind;
+    Kind kind : 2;
+    std::uint32_t x : 15, y : 15;
 };
 
 /// What draw() works through.

@@ -13,14 +13,14 @@ namespace {
 alignas(64) inline constexpr float column[16] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
 alignas(64) inline constexpr float row[16] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
 
-/// A linear function over a bin: value(x, y) = base + x · dx + y · dy from the bin's corner.
+/// A linear function, base + x · dx + y · dy, from the facet's anchor.
 struct Plane {
     Sixteen lanes;  ///< at the pixels of a cell, without the base
     float base, dx, dy;
 
-    LUCH_INLINE Plane(const float (&f)[3], float x, float y)
+    LUCH_INLINE explicit Plane(const float (&f)[3])
         : lanes(Sixteen::load(column) * f[1] + Sixteen::load(row) * f[2]),
-          base(f[0] + (x * f[1] + y * f[2])),
+          base(f[0]),
           dx(f[1]),
           dy(f[2]) {}
     LUCH_INLINE Sixteen at(float x, float y) const { return lanes + (base + (x * dx + y * dy)); }
@@ -52,11 +52,14 @@ LUCH_INLINE unsigned touched(int x0, int y0, int x1, int y1) {
 template <Kind kind>
 class Filler {
  public:
-    LUCH_INLINE Filler(const Facet& facet, float x, float y, Cell* cells)
+    /// (x, y): the bin's first pixel.
+    LUCH_INLINE Filler(const Facet& facet, int x, int y, Cell* cells)
         : facet_(facet),
           cells_(cells),
-          edge_{{facet.edge[0], x, y}, {facet.edge[1], x, y}, {facet.edge[2], x, y}},
-          depth_(facet.depth, x, y),
+          x_(x - static_cast<int>(facet.x)),
+          y_(y - static_cast<int>(facet.y)),
+          edge_{Plane(facet.edge[0]), Plane(facet.edge[1]), Plane(facet.edge[2])},
+          depth_(facet.depth),
           item_(std::bit_cast<float>(facet.item)) {}
 
     LUCH_INLINE void fill(const Span& s) {
@@ -67,8 +70,7 @@ class Filler {
         for (int y = y0; y <= y1; ++y) {
             for (int x = x0; x <= x1; ++x) {
                 const int tile = (y >> 2) * 4 + (x >> 2), cell = (y & 3) * 4 + (x & 3);
-                paint(cells_[tile * 16 + cell], static_cast<float>(4 * x),
-                      static_cast<float>(4 * y));
+                paint(cells_[tile * 16 + cell], x_ + 4 * x, y_ + 4 * y);
             }
         }
     }
@@ -76,35 +78,36 @@ class Filler {
  private:
     /// The span in cells.
     LUCH_INLINE void descend(int x0, int y0, int x1, int y1) {
-        unsigned tiles = touched(x0 >> 2, y0 >> 2, x1 >> 2, y1 >> 2) & squares(0, 0, 16);
+        unsigned tiles = touched(x0 >> 2, y0 >> 2, x1 >> 2, y1 >> 2) & squares(x_, y_, 16);
         for (; tiles != 0; tiles &= tiles - 1) {
             const int tile = std::countr_zero(tiles);
             const int cx = (tile & 3) * 4, cy = (tile >> 2) * 4;
-            const auto x = static_cast<float>(4 * cx), y = static_cast<float>(4 * cy);
+            const int x = x_ + 4 * cx, y = y_ + 4 * cy;
             unsigned cells = touched(x0 - cx, y0 - cy, x1 - cx, y1 - cy) & squares(x, y, 4);
             for (; cells != 0; cells &= cells - 1) {
                 const int cell = std::countr_zero(cells);
-                paint(cells_[tile * 16 + cell], x + static_cast<float>(4 * (cell & 3)),
-                      y + static_cast<float>(4 * (cell >> 2)));
+                paint(cells_[tile * 16 + cell], x + 4 * (cell & 3), y + 4 * (cell >> 2));
             }
         }
     }
 
     /// Which of sixteen squares the triangle may touch.
-    LUCH_INLINE unsigned squares(float x, float y, float side) const {
+    LUCH_INLINE unsigned squares(int left, int top, float side) const {
+        const auto x = static_cast<float>(left), y = static_cast<float>(top);
         Sixteen hi(infinite), lo(-infinite);
         for (const Plane& edge : edge_) {
             const Sixteen at = edge.corners(x, y, side);
             hi = min_or(at + edge.rise(side), hi);
             lo = max_or(at + edge.fall(side), lo);
         }
-        const unsigned outside = hi < Sixteen(-1.0f);
+        const unsigned outside = hi < Sixteen(-far_outside);
         if (kind == Kind::regular) return ~outside & 0xffff;
-        const unsigned inside = Sixteen(1.0f) < lo;
+        const unsigned inside = Sixteen(far_outside) < lo;
         return (kind == Kind::turned ? ~inside : ~(outside & inside)) & 0xffff;
     }
 
-    LUCH_INLINE void paint(Cell& cell, float x, float y) const {
+    LUCH_INLINE void paint(Cell& cell, int left, int top) const {
+        const auto x = static_cast<float>(left), y = static_cast<float>(top);
         const Sixteen e0 = edge_[0].at(x, y), e1 = edge_[1].at(x, y), e2 = edge_[2].at(x, y);
         const Sixteen lo = min_or(e0, min_or(e1, e2));
         const unsigned inner = Sixteen(-1.0f) <= lo;
@@ -147,6 +150,7 @@ class Filler {
 
     const Facet& facet_;
     Cell* cells_;
+    int x_, y_;
     Plane edge_[3], depth_;
     float item_;
 };
@@ -175,7 +179,7 @@ LUCH_INLINE void write(const Cell* cells, float* near, float* second, std::uint3
     }
 }
 
-void draw(const Entry* entries, int count, float x, float y, float* near, float* second,
+void draw(const Entry* entries, int count, int x, int y, float* near, float* second,
           std::uint32_t* items) {
     Cell cells[cells_of_bin];
     clear(cells);

@@ -14,17 +14,18 @@ double slack_of(const Node& node) {
     return 0x1p-18 * max_norm(node.to_world.matrix) * max_norm(node.to_object.matrix);
 }
 
-/// Whether a part of the box of a linear function is above 0 where every other function is: only
-/// that bin can be touched.
-bool may_touch(const Facet& facet, float x, float y) {
+/// Whether a facet may have something in a bin.
+bool may_touch(const Facet& facet, int left, int top) {
+    const auto x = static_cast<float>(left - static_cast<int>(facet.x));
+    const auto y = static_cast<float>(top - static_cast<int>(facet.y));
     bool outside = false, inside = false;
     for (const auto& edge : facet.edge) {
         const float at = edge[0] + (x * edge[1] + y * edge[2]);
         constexpr float side = bin_side - 1;
         const float hi = at + side * (std::max(edge[1], 0.0f) + std::max(edge[2], 0.0f));
         const float lo = at + side * (std::min(edge[1], 0.0f) + std::min(edge[2], 0.0f));
-        outside |= hi < -1;
-        inside |= lo > 1;
+        outside |= hi < -far_outside;
+        inside |= lo > far_outside;
     }
     return !(outside && (inside || facet.kind == Kind::regular));
 }
@@ -94,8 +95,6 @@ Stock stock_of(const Scene& scene) {
 void Frame::draw(const Scene& scene, const Stock& stock, const Kernels& kernels, const Sight& sight,
                  const Workers& workers, bool with_depths) {
     size_ = sight.screen->size();
-    middle_x_ = sight.middle_x();
-    middle_y_ = sight.middle_y();
     bins_across_ = (size_.width + bin_side - 1) / bin_side;
     bins_down_ = (size_.height + bin_side - 1) / bin_side;
     const std::size_t pixels = static_cast<std::size_t>(bins_across_) *
@@ -185,8 +184,7 @@ void Frame::sort_into_row(int row, std::vector<std::vector<Entry>>& bins) const 
             for (int bin = first; bin <= last; ++bin) {
                 const int x = bin * bin_side;
                 const Facet& facet = batch.facets[i];
-                if (!one && !may_touch(facet, static_cast<float>(x - middle_x_),
-                                       static_cast<float>(y - middle_y_))) {
+                if (!one && !may_touch(facet, x, y)) {
                     continue;
                 }
                 bins[static_cast<std::size_t>(bin)].push_back({&facet, relative(span, x, y)});
@@ -204,10 +202,8 @@ void Frame::draw_row(const Kernels& kernels, int row, std::vector<std::vector<En
             (static_cast<std::size_t>(row) * static_cast<std::size_t>(bins_across_) +
              static_cast<std::size_t>(bin)) *
             pixels_of_bin;
-        kernels.draw(entries.data(), static_cast<int>(entries.size()),
-                     static_cast<float>(bin * bin_side - middle_x_),
-                     static_cast<float>(row * bin_side - middle_y_),
-                     near.empty() ? nullptr : near.data() + at,
+        kernels.draw(entries.data(), static_cast<int>(entries.size()), bin * bin_side,
+                     row * bin_side, near.empty() ? nullptr : near.data() + at,
                      second.empty() ? nullptr : second.data() + at, items.data() + at);
     }
 }

@@ -65,7 +65,7 @@ class Frame {
     void draw_row(const Kernels& kernels, int row, std::vector<std::vector<Entry>>& bins);
 
     Size size_;
-    int middle_x_ = 0, middle_y_ = 0, bins_across_ = 0, bins_down_ = 0;
+    int bins_across_ = 0, bins_down_ = 0;
     std::vector<View> views_;
     std::vector<Batch> batches_;  ///< from near to far
     std::size_t seen_ = 0;        ///< how many of them are in use

@@ -13,10 +13,10 @@ struct Kernels {
     /// Sets up `count` blocks for a frame; writes the entries' facets and spans (room for
     /// block_width a block) and returns how many may be seen. Items count up from view.base.
     int (*set_up)(const View&, const Block* blocks, int count, Facet* facets, Span* spans);
-    /// Draws one bin, whose first pixel is (x, y) counted from the frame's middle: `near` and
+    /// Draws one bin, whose first pixel is (x, y): `near` and
     /// `second`, where they are wanted (not null), and `items` get pixels_of_bin numbers each, cell
     /// by cell. The spans count from the bin's first pixel.
-    void (*draw)(const Entry* entries, int count, float x, float y, float* near, float* second,
+    void (*draw)(const Entry* entries, int count, int x, int y, float* near, float* second,
                  std::uint32_t* items);
     /// The hits of sixteen rays from `first` on with the triangles that `items` name; those that
     /// name none of [base, base + count) of this node are left alone.

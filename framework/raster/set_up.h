@@ -46,6 +46,7 @@ struct Drafts {
     alignas(64) float depth[3][16];
     alignas(64) float rho[16], doubt[16];
     alignas(64) float span[4][16];
+    alignas(64) float anchor[2][16];  ///< from the frame's middle
     alignas(64) float lo[3][16], hi[3][16];
     unsigned seen, regular, sane, turned;
 };
@@ -53,9 +54,9 @@ struct Drafts {
 /// Edges, depth and their bounds.
 class Shape {
  public:
-    Three<Sixteen> a[3];    ///< corners relative to the origin
-    Three<Sixteen> lo, hi;  ///< and their box
-    Sixteen size, edge, bound, above, spread;
+    Three<Sixteen> a[3];                         ///< corners relative to the origin
+    Three<Sixteen> lo, hi;                       ///< and their box
+    Sixteen size, edge, certain, above, spread;  ///< certain: where signs are to the hit function
     unsigned sane;
 
     LUCH_INLINE Shape(const View& view, const Block& block, Drafts& drafts) {
@@ -70,18 +71,15 @@ class Shape {
         hi = wide::upper(a[0], wide::upper(a[1], a[2]));
         edge = Sixteen::load(block.edge);
         size = wide::size_of(a[0], edge);
-        bound = Sixteen(2.5f) * wide::sign_bound(size, edge, Sixteen(view.sum));
+        certain = Sixteen(2.5f / 16) * wide::sign_bound(size, edge, Sixteen(view.sum));
         spread = Sixteen(1.2f * 0x1p-18f) * edge * edge;
-        sane = (size < Sixteen(0x1p40f)) & (Sixteen(0x1p-80f) < bound);
+        sane = (size < Sixteen(0x1p40f)) & (Sixteen(0x1p-80f) < certain);
         const Three<Sixteen> normal = cross(minus(p[1], p[0]), minus(p[2], p[0]));
         above = dot(normal, a[0]);
-        const Sixteen sign = Sixteen::select(above < Sixteen(0.0f), -1.0f, 1.0f);
-        const Sixteen scale = sign / bound, inverse = Sixteen(1.0f) / above;
-        for (int k = 0; k < 3; ++k) {
-            const int i = (k + 1) % 3, j = (k + 2) % 3;
-            store(view, cross(a[i], minus(a[j], a[i])), scale, drafts.edge[k]);
-        }
-        store(view, normal, inverse, drafts.depth);
+        const Sixteen inverse = Sixteen(1.0f) / above;
+        (dot(normal, all(view.d)) * inverse).store(drafts.depth[0]);
+        (dot(normal, all(view.dx)) * inverse).store(drafts.depth[1]);
+        (dot(normal, all(view.dy)) * inverse).store(drafts.depth[2]);
     }
 
     /// The relative error of inverse depths down to 1/w.
@@ -89,19 +87,12 @@ class Shape {
         const Sixteen reach = wide::sum_of_sizes(a[0]) + Sixteen(1.1f * view.sum) * w;
         return spread * reach / abs(above) + Sixteen(0x1p-19f);
     }
-
- private:
-    LUCH_INLINE static void store(const View& view, const Three<Sixteen>& normal,
-                                  const Sixteen& scale, float (*to)[16]) {
-        (dot(normal, all(view.d)) * scale).store(to[0]);
-        (dot(normal, all(view.dx)) * scale).store(to[1]);
-        (dot(normal, all(view.dy)) * scale).store(to[2]);
-    }
 };
 
 /// Where the corners stand on the frame.
 struct Corners {
     Sixteen w[3], lo[2], hi[2];
+    Sixteen farthest, longer, delta;
 
     LUCH_INLINE Corners(const View& view, const Shape& shape) {
         Sixteen least_of[2][3], most_of[2][3];
@@ -122,6 +113,12 @@ struct Corners {
             lo[axis] = least(least_of[axis]);
             hi[axis] = most(most_of[axis]);
         }
+        farthest = max_or(most(w), Sixteen(0.0f));
+        longer = max_or(hi[0] - lo[0], hi[1] - lo[1]);
+        delta = Sixteen(0x1p-4f) + longer * Sixteen(0x1p-5f);
+    }
+    LUCH_INLINE unsigned ahead(const View& view, const Shape& shape) const {
+        return Sixteen(0x1p-14f) * shape.size * view.size_w < least(w);
     }
 };
 
@@ -143,7 +140,7 @@ LUCH_INLINE unsigned in_sight(const View& view, const Shape& shape) {
 /// ahead weigh W ≥ (a0 × a1)·a2 / farthest − 4 bound, any others a third of that for the size.
 /// Where this cannot be used, the box's nearest corner bounds it.
 LUCH_INLINE void bound_doubt(const View& view, const Shape& shape, const Sixteen& reach,
-                             const Sixteen& rho, Drafts& drafts) {
+                             const Sixteen& rho, const Sixteen& bound, Drafts& drafts) {
     const Sixteen zero(0.0f), slack = Sixteen(0x1p-18f) * shape.size * view.size_w;
     const float turned[3] = {-view.to_w[0], -view.to_w[1], -view.to_w[2]};
     const Sixteen nearest = zero - upper_in(shape.lo, shape.hi, turned) - slack;
@@ -156,48 +153,104 @@ LUCH_INLINE void bound_doubt(const View& view, const Shape& shape, const Sixteen
     for (const auto& at : {shape.lo.x, shape.lo.y, shape.lo.z}) side(zero - at);
     const Sixteen above = abs(shape.above);
     const Sixteen rounding = shape.spread * Sixteen(1.1f * view.sum) / above;
-    const Sixteen more = rounding + Sixteen(4.5f) * shape.bound * shape.edge / (closest * above);
-    const unsigned valid = (Sixteen(4.0f) * shape.bound * reach < above) &
+    const Sixteen more = rounding + Sixteen(4.5f) * bound * shape.edge / (closest * above);
+    const unsigned valid = (Sixteen(4.0f) * bound * reach < above) &
                            (rounding * reach < Sixteen(0.25f)) & (rho <= Sixteen(most_rho)) &
                            (more < Sixteen(0.5f) * of_box);
     Sixteen::select(valid, zero - more, of_box).store(drafts.doubt);
 }
 
-/// The pixels that a regular triangle may cover, and which ones are regular. Let M be the larger
-/// side of the corners' span, δ = 1/16 + M/32. For a pixel further than δ outside, the weighted
-/// corners Σ w_k (x_k − x) = 0 all lie on one side, so some w_k is below −W δ / 2(δ + M), where
-/// W = Σ w_k ≥ (a0 × a1)·a2 / farthest; and some is above W/3. Both signs are certain to the hit
-/// function when that exceeds the rounding of the ray's direction, 2 of the 40 in `bound`, so
-/// (a0 × a1)·a2 > 2 (δ + M)/δ · farthest · bound/16 will do. The factor 3 has room for rounding.
-LUCH_INLINE void bound_span(const View& view, const Shape& shape, Drafts& drafts) {
-    const Corners corners(view, shape);
-    const Sixteen farthest = max_or(most(corners.w), Sixteen(0.0f));
-    const Sixteen longer = max_or(corners.hi[0] - corners.lo[0], corners.hi[1] - corners.lo[1]);
-    const Sixteen delta = Sixteen(0x1p-4f) + longer * Sixteen(0x1p-5f);
-    const Sixteen rho = shape.rho(view, farthest);
-    const unsigned ahead = Sixteen(0x1p-14f) * shape.size * view.size_w < least(corners.w);
-    const Sixteen needed = Sixteen(3.0f / 16) * (delta + longer) * farthest * shape.bound;
-    drafts.regular =
-        drafts.sane & ahead & (rho <= Sixteen(most_rho)) & (needed < abs(shape.above) * delta);
-    rho.store(drafts.rho);
-    const Sixteen reach =
-        Sixteen::select(ahead, Sixteen(1.5f) * farthest, Sixteen(6 * view.size_w) * shape.size);
-    bound_doubt(view, shape, reach, rho, drafts);
+/// The coefficients of the edges, in double; see facet.h.
+LUCH_INLINE void set_edges(const View& view, const Shape& shape, const Sixteen& bound,
+                           Drafts& drafts) {
+    alignas(64) float a[3][3][16], scale[16];
+    for (int k = 0; k < 3; ++k) {
+        shape.a[k].x.store(a[k][0]);
+        shape.a[k].y.store(a[k][1]);
+        shape.a[k].z.store(a[k][2]);
+    }
+    const Sixteen sign = Sixteen::select(shape.above < Sixteen(0.0f), -1.0f, 1.0f);
+    (sign / bound).store(scale);
+    for (int k = 0; k < 3; ++k) {
+        const auto &p = a[(k + 1) % 3], &q = a[(k + 2) % 3];
+        for (int i = 0; i < 16; ++i) {
+            const double px = p[0][i], py = p[1][i], pz = p[2][i];
+            const double ex = q[0][i] - px, ey = q[1][i] - py, ez = q[2][i] - pz;
+            const double nx = py * ez - pz * ey, ny = pz * ex - px * ez, nz = px * ey - py * ex;
+            const auto along = [&](const double(&d)[3]) {
+                return (nx * d[0] + ny * d[1] + nz * d[2]) * static_cast<double>(scale[i]);
+            };
+            const double dx = along(view.dx_exact), dy = along(view.dy_exact);
+            drafts.edge[k][0][i] = static_cast<float>(
+                along(view.d_exact) + drafts.anchor[0][i] * dx + drafts.anchor[1][i] * dy);
+            drafts.edge[k][1][i] = static_cast<float>(dx);
+            drafts.edge[k][2][i] = static_cast<float>(dy);
+        }
+    }
+}
+
+/// Counts depths from the anchors, too.
+LUCH_INLINE void move_depths(Drafts& drafts) {
+    const auto part = [&](int i) {
+        return Sixteen::load(drafts.depth[i + 1]) * Sixteen::load(drafts.anchor[i]);
+    };
+    (Sixteen::load(drafts.depth[0]) + (part(0) + part(1))).store(drafts.depth[0]);
+}
+
+/// Which triangles are regular. Let M be the larger side of the corners' span, δ = 1/16 + M/32. For
+/// a pixel further than δ outside, the weighted corners Σ w_k (x_k − x) = 0 all lie on one side, so
+/// some w_k is below −W δ / 2(δ + M), where W = Σ w_k ≥ (a0 × a1)·a2 / farthest; and some is above
+/// W/3. Both signs are certain to the hit function if (a0 × a1)·a2 > 2 (δ + M)/δ · farthest ·
+/// certain. The factor 3 has room for rounding.
+LUCH_INLINE unsigned regular_ones(const View& view, const Shape& shape, const Corners& corners,
+                                  const Sixteen& rho) {
+    const Sixteen needed =
+        Sixteen(3.0f) * (corners.delta + corners.longer) * corners.farthest * shape.certain;
+    return shape.sane & corners.ahead(view, shape) & (rho <= Sixteen(most_rho)) &
+           (needed < abs(shape.above) * corners.delta);
+}
+
+/// The pixels of regular triangles, and the anchors of all: the first of those pixels, for others
+/// the middle of the frame.
+LUCH_INLINE void set_spans(const View& view, const Corners& corners, Drafts& drafts) {
     const float ends[2][2] = {
         {-static_cast<float>(view.middle_x), static_cast<float>(view.width - 1 - view.middle_x)},
         {-static_cast<float>(view.middle_y), static_cast<float>(view.height - 1 - view.middle_y)}};
     unsigned empty = 0;
     for (int axis = 0; axis < 2; ++axis) {
-        const Sixteen first = max_or(corners.lo[axis] - delta, ends[axis][0]);
-        const Sixteen last = min_or(corners.hi[axis] + delta, ends[axis][1]);
+        const Sixteen zero(0.0f);
+        const Sixteen first = max_or(corners.lo[axis] - corners.delta, ends[axis][0]);
+        const Sixteen last = min_or(corners.hi[axis] + corners.delta, ends[axis][1]);
         const Sixteen from = rounded_up(min_or(first, ends[axis][1] + 1.0f));
-        const Sixteen to =
-            Sixteen(0.0f) - rounded_up(Sixteen(0.0f) - max_or(last, ends[axis][0] - 1.0f));
+        const Sixteen to = zero - rounded_up(zero - max_or(last, ends[axis][0] - 1.0f));
         empty |= to < from;
         from.store(drafts.span[axis]);
         to.store(drafts.span[2 + axis]);
+        Sixteen::select(drafts.regular, from, zero).store(drafts.anchor[axis]);
     }
     drafts.seen &= ~(drafts.regular & empty);
+}
+
+LUCH_INLINE void place(const View& view, const Shape& shape, Drafts& drafts) {
+    const Corners corners(view, shape);
+    const Sixteen rho = shape.rho(view, corners.farthest);
+    rho.store(drafts.rho);
+    drafts.regular = regular_ones(view, shape, corners, rho);
+    set_spans(view, corners, drafts);
+    if (drafts.seen == 0) return;
+    const Sixteen frame(static_cast<float>(std::max(view.width, view.height)));
+    const Sixteen away =
+        Sixteen::select(drafts.regular, min_or(frame, Sixteen(1.1f) * corners.longer), frame);
+    const Sixteen bound =
+        Sixteen(1.01f * 0x1p-24f) * shape.size * (shape.edge + shape.size * Sixteen(0x1p-22f)) *
+            (Sixteen(3 * view.sum) + (away + Sixteen(10.0f)) * Sixteen(26 * view.step)) +
+        Sixteen((view.sum + 1) * wide::smallest_bound);
+    const Sixteen reach =
+        Sixteen::select(corners.ahead(view, shape), Sixteen(1.5f) * corners.farthest,
+                        Sixteen(6 * view.size_w) * shape.size);
+    bound_doubt(view, shape, reach, rho, bound, drafts);
+    set_edges(view, shape, bound, drafts);
+    move_depths(drafts);
 }
 
 LUCH_INLINE void draft(const View& view, const Block& block, Drafts& drafts) {
@@ -207,7 +260,7 @@ LUCH_INLINE void draft(const View& view, const Block& block, Drafts& drafts) {
     drafts.seen = used & in_sight(view, shape);
     drafts.turned = view.cull_backfaces ? Sixteen(0.0f) < shape.above : 0;
     if (drafts.seen == 0) return;
-    bound_span(view, shape, drafts);
+    place(view, shape, drafts);
     drafts.seen &= ~(drafts.regular & drafts.turned);  // some sign is positive: not hit anywhere
     for (int axis = 0; axis < 3; ++axis) {
         (axis == 0 ? shape.lo.x : axis == 1 ? shape.lo.y : shape.lo.z).store(drafts.lo[axis]);
@@ -224,6 +277,8 @@ LUCH_INLINE bool write(const View& view, const Drafts& drafts, int i, Facet& fac
     facet.rho = drafts.rho[i];
     facet.doubt = drafts.doubt[i];
     facet.kind = Kind::regular;
+    facet.x = static_cast<std::uint32_t>(static_cast<int>(drafts.anchor[0][i]) + view.middle_x);
+    facet.y = static_cast<std::uint32_t>(static_cast<int>(drafts.anchor[1][i]) + view.middle_y);
     if ((drafts.regular >> i & 1) != 0) {
         span = {static_cast<std::int16_t>(static_cast<int>(drafts.span[0][i]) + view.middle_x),
                 static_cast<std::int16_t>(static_cast<int>(drafts.span[1][i]) + view.middle_y),

@@ -98,6 +98,12 @@ View view_of(const Sight& sight, const Node& node) {
     put(d, view.d);
     put(dx, view.dx);
     put(dy, view.dy);
+    for (int axis = 0; axis < 3; ++axis) {
+        view.d_exact[axis] = d[axis];
+        view.dx_exact[axis] = dx[axis];
+        view.dy_exact[axis] = dy[axis];
+    }
+    view.step = 1.001f * (sum_of_sizes(dx) + sum_of_sizes(dy));
     // The last term is for what cancels in the transform: 2⁻⁴⁰ of it is u · 2⁻¹⁶ of it.
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis) {

@@ -25,6 +25,8 @@ struct Sight {
 struct View {
     float origin[3];
     float d[3], dx[3], dy[3];
+    double d_exact[3], dx_exact[3], dy_exact[3];  ///< the same before rounding
+    float step;                                   ///< Σ |dx_i| + |dy_i|
     float sum;  ///< no Σ |d_i| + |X dx_i| + |Y dy_i| of a pixel exceeds it
     /// A point a relative to the origin stands at (w, X·w, Y·w) = (a·to_w, a·to_x, a·to_y), off by
     /// no more than 2⁻²⁰ · max|a_i| times the sum of |components|, which is `size_…`.
