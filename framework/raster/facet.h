@@ -22,8 +22,10 @@
 //  - three negative ones are a miss then: t < 0, and the slab of the triangle's box ends below 0;
 //  - whatever is hit is hit within the triangle's box: t is clamped to its slab.
 // The inverse depth n·D / n·a0, n the normal, is off from that of the hit function by at most the
-// share `rho`: both numerators together by 64u · edge² · sum, both denominators by 48u · edge² ·
-// Σ|a0|, so rho = 77u · edge² · (Σ|a0| + 1.1 sum · t) / |n·a0|, as long as it is below 1/16.
+// share `rho`. With P the sizes of the products in n, R = Σ P_i max|a_i| / |n·a0|: the hit
+// function's n·a0 is off by 10u R of itself, and so is its n·D, since |D_i| ≤ max|a_i| / t inside a
+// triangle; the corners' own rounding moves what t is clamped to by u R. 26u R has room for their
+// products. The evaluation adds 12u of the size of its parts.
 namespace luch::raster {
 
 /// Depths whose relative error is larger are of no use.

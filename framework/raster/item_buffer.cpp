@@ -130,24 +130,23 @@ int ItemBuffer::resolve(int tile, const RayPacket& rays, HitPacket& hits) const 
     std::fill(hits.primitive, hits.primitive + RayPacket::capacity, 0u);
     const std::uint32_t* items = state_->frame.items.data() + state_->items_of(tile);
     int ambiguous = 0;
-    for (int first = 0; first < RayPacket::capacity; first += 16) {
-        std::uint32_t lowest = no_item, highest = 0;
-        for (int i = first; i < first + 16; ++i) {
-            ambiguous += static_cast<int>(items[i] >> 31);
-            lowest = std::min(lowest, items[i]);
-            highest = std::max(highest, items[i] < no_item ? items[i] : 0u);
-        }
-        if (lowest == no_item) continue;
-        for (const Stock::Model* model = &state_->stock.model_of(lowest);
-             model != state_->stock.models.data() + state_->stock.models.size() &&
-             model->base <= highest;
-             ++model) {
-            state_->kernels->resolve(model->soup->triangles.data(), model->base,
-                                     static_cast<std::uint32_t>(model->soup->triangles.size()),
-                                     model->soup->cull_backfaces,
-                                     state_->scene->nodes[model->node].to_object, model->node,
-                                     items + first, rays, first, hits);
-        }
+    std::uint32_t lowest = no_item, highest = 0;
+    for (int i = 0; i < RayPacket::capacity; ++i) {
+        ambiguous += static_cast<int>(items[i] >> 31);
+        lowest = std::min(lowest, items[i]);
+        highest = std::max(highest, items[i] < no_item ? items[i] : 0u);
+    }
+    if (lowest == no_item) return ambiguous;
+    const Stock& stock = state_->stock;
+    const Stock::Model* model = &stock.model_of(lowest);
+    for (; model != stock.models.data() + stock.models.size() && model->base <= highest; ++model) {
+        const Target target{model->soup->triangles.data(),
+                            model->base,
+                            static_cast<std::uint32_t>(model->soup->triangles.size()),
+                            model->node,
+                            &state_->scene->nodes[model->node].to_object,
+                            model->soup->cull_backfaces};
+        state_->kernels->resolve(target, items, rays, hits);
     }
     return ambiguous;
 }

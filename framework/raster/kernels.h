@@ -8,6 +8,15 @@
 
 namespace luch::raster {
 
+/// A node for resolve().
+struct Target {
+    const Triangle* triangles;
+    std::uint32_t base, count;  ///< its items
+    NodeId node;
+    const Transform* to_object;
+    bool cull_backfaces;
+};
+
 /// The stages, compiled for one level of the processor. All levels give the same bits.
 struct Kernels {
     /// Sets up `count` blocks for a frame; writes the entries' facets and spans (room for
@@ -18,11 +27,10 @@ struct Kernels {
     /// by cell. The spans count from the bin's first pixel.
     void (*draw)(const Entry* entries, int count, int x, int y, float* near, float* second,
                  std::uint32_t* items);
-    /// The hits of sixteen rays from `first` on with the triangles that `items` name; those that
-    /// name none of [base, base + count) of this node are left alone.
-    void (*resolve)(const Triangle* triangles, std::uint32_t base, std::uint32_t count,
-                    bool cull_backfaces, const Transform& to_object, NodeId node,
-                    const std::uint32_t* items, const RayPacket& rays, int first, HitPacket& hits);
+    /// The hits of a tile's 256 rays with the triangles that `items` name; those that name none of
+    /// this target's are left alone.
+    void (*resolve)(const Target&, const std::uint32_t* items, const RayPacket& rays,
+                    HitPacket& hits);
 };
 
 const Kernels& kernels_plain();

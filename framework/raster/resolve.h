@@ -19,41 +19,25 @@ struct Found {
     unsigned certain;
 };
 
-LUCH_INLINE void turn(const RayPacket& rays, int first, const Transform& to_object,
-                      float (*to)[16]) {
+using Directions = float[3][RayPacket::capacity];
+
+/// The same operations as Transform::direction and object_ray().
+LUCH_INLINE void turn(const RayPacket& rays, const Transform& to_object, Directions& to) {
     for (int axis = 0; axis < 3; ++axis) {
         const double mx = to_object.matrix[axis][0], my = to_object.matrix[axis][1],
                      mz = to_object.matrix[axis][2];
-        for (int i = 0; i < 16; ++i) {
-            const int k = first + i;
-            to[axis][i] = static_cast<float>(rays.x[k] * mx + rays.y[k] * my + rays.z[k] * mz);
+        for (int i = 0; i < RayPacket::capacity; ++i) {
+            to[axis][i] = static_cast<float>(rays.x[i] * mx + rays.y[i] * my + rays.z[i] * mz);
         }
     }
 }
 
-/// The corners of one triangle for all lanes, or of one for each.
-LUCH_INLINE void take_corners(const Triangle* triangles, const std::uint32_t (&which)[16],
-                              Group& group) {
-    unsigned other = 0;
-    for (int i = 1; i < 16; ++i) other |= which[i] ^ which[0];
-    const auto take = [&](auto&& number) {
-        for (int k = 0; k < 3; ++k) {
-            group.p[k] = {number(3 * k), number(3 * k + 1), number(3 * k + 2)};
-        }
-        group.edge = number(9);
-    };
-    if (other == 0) {
-        const Triangle& triangle = triangles[which[0]];
-        take([&](int i) { return Sixteen(i < 9 ? triangle.corner[i] : triangle.edge); });
-        return;
+LUCH_INLINE void take_corners(const Triangle& triangle, Group& group) {
+    for (int k = 0; k < 3; ++k) {
+        const float* p = triangle.corner + 3 * k;
+        group.p[k] = {p[0], p[1], p[2]};
     }
-    alignas(64) float lanes[10][16];
-    for (int lane = 0; lane < 16; ++lane) {
-        const Triangle& triangle = triangles[which[lane]];
-        for (int i = 0; i < 9; ++i) lanes[i][lane] = triangle.corner[i];
-        lanes[9][lane] = triangle.edge;
-    }
-    take([&](int i) { return Sixteen::load(lanes[i]); });
+    group.edge = triangle.edge;
 }
 
 LUCH_INLINE void clip(const Sixteen& lo, const Sixteen& hi, const Sixteen& inverse, Sixteen& near,
@@ -98,53 +82,68 @@ LUCH_INLINE Found found_by(const Group& g) {
 }
 
 /// The hit function itself, where the lanes are not certain of what it would say.
-void hit_alone(const Triangle& triangle, bool cull_backfaces, const Ray& ray, NodeId node, int i,
-               HitPacket& hits) {
+void hit_alone(const Target& target, std::uint32_t item, const Ray& ray, int i, HitPacket& hits) {
+    const Triangle& triangle = target.triangles[item - target.base];
     TriangleHit hit;
-    if (!intersect_triangle(object_ray(ray), triangle.point(0), triangle.point(1),
-                            triangle.point(2), cull_backfaces, hit)) {
-        return;
+    const bool found =
+        intersect_triangle(object_ray(target.to_object->ray(ray)), triangle.point(0),
+                           triangle.point(1), triangle.point(2), target.cull_backfaces, hit);
+    hits.set(i, found ? Hit{hit.t, hit.u, hit.v, target.node, triangle.id} : Hit{});
+}
+
+/// Hits of sixteen pixels, triangle by triangle.
+LUCH_INLINE void resolve_group(const Target& target, const std::uint32_t* items, Group& group,
+                               const RayPacket& rays, int first, HitPacket& hits) {
+    unsigned rest = 0;
+    for (int i = 0; i < 16; ++i) rest |= (items[i] - target.base < target.count ? 1u : 0u) << i;
+    Sixteen t = Sixteen::load(hits.t + first), u = Sixteen::load(hits.u + first),
+            v = Sixteen::load(hits.v + first);
+    unsigned doubtful = 0;
+    while (rest != 0) {
+        const std::uint32_t item = items[std::countr_zero(rest)];
+        const Triangle& triangle = target.triangles[item - target.base];
+        unsigned same = 0;
+        for (int i = 0; i < 16; ++i) same |= (items[i] == item ? 1u : 0u) << i;
+        rest &= ~same;
+        take_corners(triangle, group);
+        const Found found = found_by(group);
+        const unsigned set = found.certain & same;
+        doubtful |= same & ~set;
+        t = Sixteen::select(set, found.t, t);
+        u = Sixteen::select(set, found.u, u);
+        v = Sixteen::select(set, found.v, v);
+        for (int i = 0; i < 16; ++i) {
+            const bool here = items[i] == item;
+            hits.node[first + i] = here ? target.node : hits.node[first + i];
+            hits.primitive[first + i] = here ? triangle.id : hits.primitive[first + i];
+        }
     }
-    hits.set(i, {hit.t, hit.u, hit.v, node, triangle.id});
+    t.store(hits.t + first);
+    u.store(hits.u + first);
+    v.store(hits.v + first);
+    for (; doubtful != 0; doubtful &= doubtful - 1) {
+        const int i = std::countr_zero(doubtful);
+        hit_alone(target, items[i], rays.ray(first + i), first + i, hits);
+    }
 }
 
-LUCH_INLINE void put(unsigned mask, const Sixteen& value, float* to) {
-    Sixteen::select(mask, value, Sixteen::load(to)).store(to);
-}
-
-void resolve(const Triangle* triangles, std::uint32_t base, std::uint32_t count,
-             bool cull_backfaces, const Transform& to_object, NodeId node,
-             const std::uint32_t* items, const RayPacket& rays, int first, HitPacket& hits) {
-    std::uint32_t which[16];
-    unsigned ours = 0;
-    for (int i = 0; i < 16; ++i) ours |= (items[i] - base < count ? 1u : 0u) << i;
-    if (ours == 0) return;
-    const std::uint32_t some = items[std::countr_zero(ours)] - base;
-    for (int i = 0; i < 16; ++i) which[i] = items[i] - base < count ? items[i] - base : some;
-    alignas(64) float directions[3][16];
-    turn(rays, first, to_object, directions);
+void resolve(const Target& target, const std::uint32_t* items, const RayPacket& rays,
+             HitPacket& hits) {
+    alignas(64) Directions directions;
+    turn(rays, *target.to_object, directions);
     Group group;
-    const Vec3 origin(to_object.point(rays.origin));
+    const Vec3 origin(target.to_object->point(rays.origin));
     group.origin = {origin.x, origin.y, origin.z};
-    group.direction = {Sixteen::load(directions[0]), Sixteen::load(directions[1]),
-                       Sixteen::load(directions[2])};
     const Sixteen one(1.0f);
-    group.inverse = {one / group.direction.x, one / group.direction.y, one / group.direction.z};
-    take_corners(triangles, which, group);
-    const Found found = found_by(group);
-    const unsigned certain = found.certain & ours;
-    put(certain, found.t, hits.t + first);
-    put(certain, found.u, hits.u + first);
-    put(certain, found.v, hits.v + first);
-    for (int i = 0; i < 16; ++i) {
-        const bool set = (certain >> i & 1) != 0;
-        hits.node[first + i] = set ? node : hits.node[first + i];
-        hits.primitive[first + i] = set ? triangles[which[i]].id : hits.primitive[first + i];
-    }
-    for (unsigned rest = ours & ~certain; rest != 0; rest &= rest - 1) {
-        const int i = std::countr_zero(rest);
-        hit_alone(triangles[which[i]], cull_backfaces, to_object.ray(rays.ray(first + i)), node,
-                  first + i, hits);
+    for (int first = 0; first < RayPacket::capacity; first += 16) {
+        unsigned some = 0;
+        for (int i = 0; i < 16; ++i) some |= items[first + i] - target.base < target.count ? 1 : 0;
+        if (some == 0) continue;
+        group.direction = {Sixteen::load(directions[0] + first),
+                           Sixteen::load(directions[1] + first),
+                           Sixteen::load(directions[2] + first)};
+        group.inverse = {one / group.direction.x, one / group.direction.y, one / group.direction.z};
+        resolve_group(target, items + first, group, rays, first, hits);
     }
 }
 

@@ -45,6 +45,8 @@ struct Drafts {
     alignas(64) float edge[3][3][16];
     alignas(64) float depth[3][16];
     alignas(64) float rho[16], doubt[16];
+    alignas(64) float a[3][3][16], above[16], volume[16];  ///< see Shape
+    alignas(64) double normal[3][16];
     alignas(64) float span[4][16];
     alignas(64) float anchor[2][16];  ///< from the frame's middle
     alignas(64) float lo[3][16], hi[3][16];
@@ -54,10 +56,14 @@ struct Drafts {
 /// Edges, depth and their bounds.
 class Shape {
  public:
-    Three<Sixteen> a[3];                         ///< corners relative to the origin
-    Three<Sixteen> lo, hi;                       ///< and their box
-    Sixteen size, edge, certain, above, spread;  ///< certain: where signs are to the hit function
+    Three<Sixteen> a[3];    ///< corners relative to the origin
+    Three<Sixteen> lo, hi;  ///< and their box
+    Sixteen size, edge;
+    Sixteen certain;        ///< beyond it signs are certain to the hit function
+    Sixteen above, volume;  ///< n·a0, (a0 × a1)·a2
+    Sixteen products;       ///< what the rounding of n·a is proportional to
     unsigned sane;
+    unsigned agree;  ///< above and volume certainly have the same sign
 
     LUCH_INLINE Shape(const View& view, const Block& block, Drafts& drafts) {
         const Three<Sixteen> origin = all(view.origin);
@@ -72,20 +78,55 @@ class Shape {
         edge = Sixteen::load(block.edge);
         size = wide::size_of(a[0], edge);
         certain = Sixteen(2.5f / 16) * wide::sign_bound(size, edge, Sixteen(view.sum));
-        spread = Sixteen(1.2f * 0x1p-18f) * edge * edge;
         sane = (size < Sixteen(0x1p40f)) & (Sixteen(0x1p-80f) < certain);
-        const Three<Sixteen> normal = cross(minus(p[1], p[0]), minus(p[2], p[0]));
-        above = dot(normal, a[0]);
-        const Sixteen inverse = Sixteen(1.0f) / above;
-        (dot(normal, all(view.d)) * inverse).store(drafts.depth[0]);
-        (dot(normal, all(view.dx)) * inverse).store(drafts.depth[1]);
-        (dot(normal, all(view.dy)) * inverse).store(drafts.depth[2]);
+        const Three<Sixteen> one = minus(p[1], p[0]), two = minus(p[2], p[0]);
+        const auto product = [](const Sixteen& x, const Sixteen& y) { return abs(x * y); };
+        const auto larger = [](const Sixteen& x, const Sixteen& y) {
+            return max_or(abs(x), abs(y));
+        };
+        products = (product(one.y, two.z) + product(one.z, two.y)) * larger(lo.x, hi.x) +
+                   (product(one.z, two.x) + product(one.x, two.z)) * larger(lo.y, hi.y) +
+                   (product(one.x, two.y) + product(one.y, two.x)) * larger(lo.z, hi.z);
+        set_volumes(block, drafts);
+        above = Sixteen::load(drafts.above);
+        volume = Sixteen::load(drafts.volume);
+        const Sixteen least_volume = Sixteen(0x1p-40f) * size * size * edge;
+        agree = ((Sixteen(0.0f) < above) & (least_volume < volume)) |
+                ((above < Sixteen(0.0f)) & (volume < Sixteen(0.0f) - least_volume));
     }
 
-    /// The relative error of inverse depths down to 1/w.
-    LUCH_INLINE Sixteen rho(const View& view, const Sixteen& w) const {
-        const Sixteen reach = wide::sum_of_sizes(a[0]) + Sixteen(1.1f * view.sum) * w;
-        return spread * reach / abs(above) + Sixteen(0x1p-19f);
+    /// The relative error of inverse depths at and above 1/w, `depth` the size of their parts.
+    LUCH_INLINE Sixteen rho(const Sixteen& w, const Sixteen& depth) const {
+        return Sixteen(26 * 0x1p-24f) * products / abs(above) + Sixteen(12 * 0x1p-24f) * depth * w +
+               Sixteen(0x1p-20f);
+    }
+
+ private:
+    /// (a0 × a1)·a2 and n·a0 in double, n the normal.
+    LUCH_INLINE void set_volumes(const Block& block, Drafts& drafts) const {
+        for (int k = 0; k < 3; ++k) {
+            a[k].x.store(drafts.a[k][0]);
+            a[k].y.store(drafts.a[k][1]);
+            a[k].z.store(drafts.a[k][2]);
+        }
+        const auto& p = block.corner;
+        for (int i = 0; i < 16; ++i) {
+            const auto along = [&](const Three<double>& n) {
+                return static_cast<float>(n.x * drafts.a[0][0][i] + n.y * drafts.a[0][1][i] +
+                                          n.z * drafts.a[0][2][i]);
+            };
+            const Three<double> corner{p[0][i], p[1][i], p[2][i]};
+            const Three<double> one = minus(Three<double>{p[3][i], p[4][i], p[5][i]}, corner);
+            const Three<double> two = minus(Three<double>{p[6][i], p[7][i], p[8][i]}, corner);
+            const Three<double> normal = cross(one, two);
+            drafts.normal[0][i] = normal.x;
+            drafts.normal[1][i] = normal.y;
+            drafts.normal[2][i] = normal.z;
+            drafts.above[i] = along(normal);
+            const Three<double> from{drafts.a[1][0][i], drafts.a[1][1][i], drafts.a[1][2][i]};
+            const Three<double> to{drafts.a[2][0][i], drafts.a[2][1][i], drafts.a[2][2][i]};
+            drafts.volume[i] = along(cross(from, minus(to, from)));
+        }
     }
 };
 
@@ -135,10 +176,10 @@ LUCH_INLINE unsigned in_sight(const View& view, const Shape& shape) {
 /// What no hit of a triangle exceeds where edges are in doubt, as facet.h has it. Where all values
 /// are ≥ −1, no w_k is below −2 bound; t · d has weights w_k / W in the plane, so it leaves a side
 /// of the box by at most 4 bound / W of the box's width, and clamping to that side at distance m
-/// from the origin makes 1/t larger by 4 bound / ((a0 × a1)·a2) · edge / m at most. The rounding of
-/// n·D adds what rho has of it. Both hold while 1/t exceeds 0.4/reach and that rounding: corners
-/// ahead weigh W ≥ (a0 × a1)·a2 / farthest − 4 bound, any others a third of that for the size.
-/// Where this cannot be used, the box's nearest corner bounds it.
+/// from the origin makes 1/t larger by 4 bound / |volume| · edge / m at most. There |d_i| may
+/// exceed max|a_i| / t by 8 bound / |volume| of max|a_i|, which adds rho of that. Both hold while
+/// 1/t is at least 0.4/reach: corners ahead weigh W ≥ |volume| / farthest − 4 bound, any others a
+/// third of that for the size. Where this cannot be used, the box's nearest corner bounds it.
 LUCH_INLINE void bound_doubt(const View& view, const Shape& shape, const Sixteen& reach,
                              const Sixteen& rho, const Sixteen& bound, Drafts& drafts) {
     const Sixteen zero(0.0f), slack = Sixteen(0x1p-18f) * shape.size * view.size_w;
@@ -151,50 +192,52 @@ LUCH_INLINE void bound_doubt(const View& view, const Shape& shape, const Sixteen
     };
     for (const auto& at : {shape.hi.x, shape.hi.y, shape.hi.z}) side(at);
     for (const auto& at : {shape.lo.x, shape.lo.y, shape.lo.z}) side(zero - at);
-    const Sixteen above = abs(shape.above);
-    const Sixteen rounding = shape.spread * Sixteen(1.1f * view.sum) / above;
-    const Sixteen more = rounding + Sixteen(4.5f) * bound * shape.edge / (closest * above);
-    const unsigned valid = (Sixteen(4.0f) * bound * reach < above) &
-                           (rounding * reach < Sixteen(0.25f)) & (rho <= Sixteen(most_rho)) &
+    const Sixteen volume = abs(shape.volume);
+    const Sixteen more = bound * (Sixteen(0.6f) + Sixteen(4.5f) * shape.edge / closest) / volume;
+    const unsigned valid = (Sixteen(4.0f) * bound * reach < volume) & (rho <= Sixteen(most_rho)) &
                            (more < Sixteen(0.5f) * of_box);
     Sixteen::select(valid, zero - more, of_box).store(drafts.doubt);
+}
+
+LUCH_INLINE double along(const Three<double>& n, const double (&d)[3]) {
+    return n.x * d[0] + n.y * d[1] + n.z * d[2];
 }
 
 /// The coefficients of the edges, in double; see facet.h.
 LUCH_INLINE void set_edges(const View& view, const Shape& shape, const Sixteen& bound,
                            Drafts& drafts) {
-    alignas(64) float a[3][3][16], scale[16];
-    for (int k = 0; k < 3; ++k) {
-        shape.a[k].x.store(a[k][0]);
-        shape.a[k].y.store(a[k][1]);
-        shape.a[k].z.store(a[k][2]);
-    }
-    const Sixteen sign = Sixteen::select(shape.above < Sixteen(0.0f), -1.0f, 1.0f);
+    alignas(64) float scale[16];
+    const Sixteen sign = Sixteen::select(shape.volume < Sixteen(0.0f), -1.0f, 1.0f);
     (sign / bound).store(scale);
     for (int k = 0; k < 3; ++k) {
-        const auto &p = a[(k + 1) % 3], &q = a[(k + 2) % 3];
+        const auto &p = drafts.a[(k + 1) % 3], &q = drafts.a[(k + 2) % 3];
         for (int i = 0; i < 16; ++i) {
-            const double px = p[0][i], py = p[1][i], pz = p[2][i];
-            const double ex = q[0][i] - px, ey = q[1][i] - py, ez = q[2][i] - pz;
-            const double nx = py * ez - pz * ey, ny = pz * ex - px * ez, nz = px * ey - py * ex;
-            const auto along = [&](const double(&d)[3]) {
-                return (nx * d[0] + ny * d[1] + nz * d[2]) * static_cast<double>(scale[i]);
-            };
-            const double dx = along(view.dx_exact), dy = along(view.dy_exact);
-            drafts.edge[k][0][i] = static_cast<float>(
-                along(view.d_exact) + drafts.anchor[0][i] * dx + drafts.anchor[1][i] * dy);
+            const Three<double> from{p[0][i], p[1][i], p[2][i]}, to{q[0][i], q[1][i], q[2][i]};
+            const Three<double> n = cross(from, minus(to, from));
+            const double unit = scale[i];
+            const double dx = along(n, view.dx_exact) * unit, dy = along(n, view.dy_exact) * unit;
+            drafts.edge[k][0][i] =
+                static_cast<float>(along(n, view.d_exact) * unit + drafts.anchor[0][i] * dx +
+                                   drafts.anchor[1][i] * dy);
             drafts.edge[k][1][i] = static_cast<float>(dx);
             drafts.edge[k][2][i] = static_cast<float>(dy);
         }
     }
 }
 
-/// Counts depths from the anchors, too.
-LUCH_INLINE void move_depths(Drafts& drafts) {
-    const auto part = [&](int i) {
-        return Sixteen::load(drafts.depth[i + 1]) * Sixteen::load(drafts.anchor[i]);
-    };
-    (Sixteen::load(drafts.depth[0]) + (part(0) + part(1))).store(drafts.depth[0]);
+/// Those of the inverse depth. Gives the size of its parts within `away` pixels of the anchor.
+LUCH_INLINE Sixteen set_depths(const View& view, const Sixteen& away, Drafts& drafts) {
+    for (int i = 0; i < 16; ++i) {
+        const Three<double> n{drafts.normal[0][i], drafts.normal[1][i], drafts.normal[2][i]};
+        const double unit = 1.0 / static_cast<double>(drafts.above[i]);
+        const double dx = along(n, view.dx_exact) * unit, dy = along(n, view.dy_exact) * unit;
+        drafts.depth[0][i] = static_cast<float>(
+            along(n, view.d_exact) * unit + drafts.anchor[0][i] * dx + drafts.anchor[1][i] * dy);
+        drafts.depth[1][i] = static_cast<float>(dx);
+        drafts.depth[2][i] = static_cast<float>(dy);
+    }
+    const auto size = [&](int c) { return abs(Sixteen::load(drafts.depth[c])); };
+    return size(0) + away * (size(1) + size(2));
 }
 
 /// Which triangles are regular. Let M be the larger side of the corners' span, δ = 1/16 + M/32. For
@@ -202,12 +245,11 @@ LUCH_INLINE void move_depths(Drafts& drafts) {
 /// some w_k is below −W δ / 2(δ + M), where W = Σ w_k ≥ (a0 × a1)·a2 / farthest; and some is above
 /// W/3. Both signs are certain to the hit function if (a0 × a1)·a2 > 2 (δ + M)/δ · farthest ·
 /// certain. The factor 3 has room for rounding.
-LUCH_INLINE unsigned regular_ones(const View& view, const Shape& shape, const Corners& corners,
-                                  const Sixteen& rho) {
+LUCH_INLINE unsigned regular_ones(const View& view, const Shape& shape, const Corners& corners) {
     const Sixteen needed =
         Sixteen(3.0f) * (corners.delta + corners.longer) * corners.farthest * shape.certain;
-    return shape.sane & corners.ahead(view, shape) & (rho <= Sixteen(most_rho)) &
-           (needed < abs(shape.above) * corners.delta);
+    return shape.sane & shape.agree & corners.ahead(view, shape) &
+           (needed < abs(shape.volume) * corners.delta);
 }
 
 /// The pixels of regular triangles, and the anchors of all: the first of those pixels, for others
@@ -233,24 +275,28 @@ LUCH_INLINE void set_spans(const View& view, const Corners& corners, Drafts& dra
 
 LUCH_INLINE void place(const View& view, const Shape& shape, Drafts& drafts) {
     const Corners corners(view, shape);
-    const Sixteen rho = shape.rho(view, corners.farthest);
-    rho.store(drafts.rho);
-    drafts.regular = regular_ones(view, shape, corners, rho);
+    drafts.regular = regular_ones(view, shape, corners);
     set_spans(view, corners, drafts);
+    drafts.seen &= ~(drafts.regular & drafts.turned);  // some sign is positive: not hit anywhere
     if (drafts.seen == 0) return;
     const Sixteen frame(static_cast<float>(std::max(view.width, view.height)));
     const Sixteen away =
+        Sixteen(10.0f) +
         Sixteen::select(drafts.regular, min_or(frame, Sixteen(1.1f) * corners.longer), frame);
-    const Sixteen bound =
-        Sixteen(1.01f * 0x1p-24f) * shape.size * (shape.edge + shape.size * Sixteen(0x1p-22f)) *
-            (Sixteen(3 * view.sum) + (away + Sixteen(10.0f)) * Sixteen(26 * view.step)) +
-        Sixteen((view.sum + 1) * wide::smallest_bound);
+    const Sixteen bound = Sixteen(1.01f * 0x1p-24f) * shape.size *
+                              (shape.edge + shape.size * Sixteen(0x1p-22f)) *
+                              (Sixteen(3 * view.sum) + away * Sixteen(26 * view.step)) +
+                          Sixteen((view.sum + 1) * wide::smallest_bound);
+    set_edges(view, shape, bound, drafts);
+    const Sixteen rho = shape.rho(corners.farthest, set_depths(view, away, drafts));
+    const unsigned good = shape.agree & (rho <= Sixteen(most_rho));
+    Sixteen::select(good, rho, infinite).store(drafts.rho);
+    drafts.sane &= ~(drafts.regular & ~good);  // its edges hold in its span only
+    drafts.regular &= good;
     const Sixteen reach =
         Sixteen::select(corners.ahead(view, shape), Sixteen(1.5f) * corners.farthest,
                         Sixteen(6 * view.size_w) * shape.size);
     bound_doubt(view, shape, reach, rho, bound, drafts);
-    set_edges(view, shape, bound, drafts);
-    move_depths(drafts);
 }
 
 LUCH_INLINE void draft(const View& view, const Block& block, Drafts& drafts) {
@@ -258,10 +304,9 @@ LUCH_INLINE void draft(const View& view, const Block& block, Drafts& drafts) {
     const unsigned used = (1u << block.count) - 1;
     drafts.sane = shape.sane;
     drafts.seen = used & in_sight(view, shape);
-    drafts.turned = view.cull_backfaces ? Sixteen(0.0f) < shape.above : 0;
+    drafts.turned = view.cull_backfaces ? Sixteen(0.0f) < shape.volume : 0;
     if (drafts.seen == 0) return;
     place(view, shape, drafts);
-    drafts.seen &= ~(drafts.regular & drafts.turned);  // some sign is positive: not hit anywhere
     for (int axis = 0; axis < 3; ++axis) {
         (axis == 0 ? shape.lo.x : axis == 1 ? shape.lo.y : shape.lo.z).store(drafts.lo[axis]);
         (axis == 0 ? shape.hi.x : axis == 1 ? shape.hi.y : shape.hi.z).store(drafts.hi[axis]);
