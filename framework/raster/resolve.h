@@ -91,19 +91,24 @@ void hit_alone(const Target& target, std::uint32_t item, const Ray& ray, int i, 
     hits.set(i, found ? Hit{hit.t, hit.u, hit.v, target.node, triangle.id} : Hit{});
 }
 
+/// A bit for each of sixteen items that `is` says yes to.
+template <class Is>
+LUCH_INLINE unsigned those(const std::uint32_t* items, Is&& is) {
+    alignas(64) float yes[16];
+    for (int i = 0; i < 16; ++i) yes[i] = is(items[i]) ? 1.0f : 0.0f;
+    return Sixteen(0.5f) < Sixteen::load(yes);
+}
+
 /// Hits of sixteen pixels, triangle by triangle.
-LUCH_INLINE void resolve_group(const Target& target, const std::uint32_t* items, Group& group,
-                               const RayPacket& rays, int first, HitPacket& hits) {
-    unsigned rest = 0;
-    for (int i = 0; i < 16; ++i) rest |= (items[i] - target.base < target.count ? 1u : 0u) << i;
+LUCH_INLINE void resolve_group(const Target& target, const std::uint32_t* items, unsigned rest,
+                               Group& group, const RayPacket& rays, int first, HitPacket& hits) {
     Sixteen t = Sixteen::load(hits.t + first), u = Sixteen::load(hits.u + first),
             v = Sixteen::load(hits.v + first);
     unsigned doubtful = 0;
     while (rest != 0) {
         const std::uint32_t item = items[std::countr_zero(rest)];
         const Triangle& triangle = target.triangles[item - target.base];
-        unsigned same = 0;
-        for (int i = 0; i < 16; ++i) same |= (items[i] == item ? 1u : 0u) << i;
+        const unsigned same = those(items, [&](std::uint32_t other) { return other == item; });
         rest &= ~same;
         take_corners(triangle, group);
         const Found found = found_by(group);
@@ -136,14 +141,14 @@ void resolve(const Target& target, const std::uint32_t* items, const RayPacket& 
     group.origin = {origin.x, origin.y, origin.z};
     const Sixteen one(1.0f);
     for (int first = 0; first < RayPacket::capacity; first += 16) {
-        unsigned some = 0;
-        for (int i = 0; i < 16; ++i) some |= items[first + i] - target.base < target.count ? 1 : 0;
-        if (some == 0) continue;
+        const unsigned ours = those(
+            items + first, [&](std::uint32_t item) { return item - target.base < target.count; });
+        if (ours == 0) continue;
         group.direction = {Sixteen::load(directions[0] + first),
                            Sixteen::load(directions[1] + first),
                            Sixteen::load(directions[2] + first)};
         group.inverse = {one / group.direction.x, one / group.direction.y, one / group.direction.z};
-        resolve_group(target, items + first, group, rays, first, hits);
+        resolve_group(target, items + first, ours, group, rays, first, hits);
     }
 }
 

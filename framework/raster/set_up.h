@@ -78,7 +78,7 @@ class Shape {
         edge = Sixteen::load(block.edge);
         size = wide::size_of(a[0], edge);
         certain = Sixteen(2.5f / 16) * wide::sign_bound(size, edge, Sixteen(view.sum));
-        sane = (size < Sixteen(0x1p40f)) & (Sixteen(0x1p-80f) < certain);
+        sane = (size < Sixteen(0x1p40f)) & (Sixteen(0x1p-112f) < certain);
         const Three<Sixteen> one = minus(p[1], p[0]), two = minus(p[2], p[0]);
         const auto product = [](const Sixteen& x, const Sixteen& y) { return abs(x * y); };
         const auto larger = [](const Sixteen& x, const Sixteen& y) {
