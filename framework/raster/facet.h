@@ -8,13 +8,14 @@
 // replaced by the longer D(X, Y) of View, w_k is linear in X and Y. Its coefficients are found in
 // double, counted from an anchor beside the triangle, divided by a bound, given the sign of
 // (a0 × a1)·a2, so that a triangle ahead has positive values, and rounded to float. Errors, in
-// u = 2⁻²⁴ and units of size · edge (lanes.h): 2 sum for the rounding of the ray's own direction;
-// the value is a sum of parts none of which exceeds it by more than m Σ(|dx_i| + |dy_i|) · 2, m the
-// number of pixels from the anchor in X or Y, each of them rounded 6 times: 24 m Σ(|dx_i| +
-// |dy_i|). The bound is 3 sum + 26 m Σ(|dx_i| + |dy_i|), enough for edge_sign() to be certain as
-// well. So a value above 1 is certainly inside its edge, one below −1 certainly outside; between,
-// nobody knows (it is in doubt). Squares of pixels are judged by their corners, which may be 130
-// pixels further from the anchor than m, at least 10, allows: less than 16 bounds.
+// u = 2⁻²⁴ and units of max|a_i| · max|a_j − a_i|, a_i the nearer end of the edge: 2 sum for the
+// rounding of the ray's own direction; the value is a sum of parts none of which exceeds it by more
+// than m Σ(|dx_i| + |dy_i|) · 2, m the number of pixels from the anchor in X or Y, each of them
+// rounded 6 times: 24 m Σ(|dx_i| + |dy_i|). The bound is 3 sum + 26 m Σ(|dx_i| + |dy_i|), enough
+// for edge_sign() to be certain as well. So a value above 1 is certainly inside its edge, one below
+// −1 certainly outside; between, nobody knows (it is in doubt). Squares of pixels are judged by
+// their corners, which may be 130 pixels further from the anchor than m, at least 10, allows: less
+// than 16 bounds.
 //
 // What follows, exactly:
 //  - opposite certain signs are a miss;

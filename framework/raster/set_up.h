@@ -95,6 +95,15 @@ class Shape {
                 ((above < Sixteen(0.0f)) & (volume < Sixteen(0.0f) - least_volume));
     }
 
+    /// What facet.h calls the bound of edge k; n_k is no larger than its nearer end allows.
+    LUCH_INLINE Sixteen bound(int k, const Sixteen& unit, float sum) const {
+        const Three<Sixteen>&from = a[(k + 1) % 3], &to = a[(k + 2) % 3];
+        const Sixteen zero(0.0f), length = wide::largest(minus(to, from), zero);
+        const Sixteen near = min_or(wide::largest(from, zero), wide::largest(to, zero));
+        return Sixteen(1.01f * 0x1p-24f) * near * (length + size * Sixteen(0x1p-22f)) * unit +
+               Sixteen((sum + 1) * wide::smallest_bound);
+    }
+
     /// The relative error of inverse depths at and above 1/w, `depth` the size of their parts.
     LUCH_INLINE Sixteen rho(const Sixteen& w, const Sixteen& depth) const {
         return Sixteen(26 * 0x1p-24f) * products / abs(above) + Sixteen(12 * 0x1p-24f) * depth * w +
@@ -204,12 +213,12 @@ LUCH_INLINE double along(const Three<double>& n, const double (&d)[3]) {
 }
 
 /// The coefficients of the edges, in double; see facet.h.
-LUCH_INLINE void set_edges(const View& view, const Shape& shape, const Sixteen& bound,
+LUCH_INLINE void set_edges(const View& view, const Shape& shape, const Sixteen (&bounds)[3],
                            Drafts& drafts) {
     alignas(64) float scale[16];
     const Sixteen sign = Sixteen::select(shape.volume < Sixteen(0.0f), -1.0f, 1.0f);
-    (sign / bound).store(scale);
     for (int k = 0; k < 3; ++k) {
+        (sign / bounds[k]).store(scale);
         const auto &p = drafts.a[(k + 1) % 3], &q = drafts.a[(k + 2) % 3];
         for (int i = 0; i < 16; ++i) {
             const Three<double> from{p[0][i], p[1][i], p[2][i]}, to{q[0][i], q[1][i], q[2][i]};
@@ -283,11 +292,10 @@ LUCH_INLINE void place(const View& view, const Shape& shape, Drafts& drafts) {
     const Sixteen away =
         Sixteen(10.0f) +
         Sixteen::select(drafts.regular, min_or(frame, Sixteen(1.1f) * corners.longer), frame);
-    const Sixteen bound = Sixteen(1.01f * 0x1p-24f) * shape.size *
-                              (shape.edge + shape.size * Sixteen(0x1p-22f)) *
-                              (Sixteen(3 * view.sum) + away * Sixteen(26 * view.step)) +
-                          Sixteen((view.sum + 1) * wide::smallest_bound);
-    set_edges(view, shape, bound, drafts);
+    const Sixteen unit = Sixteen(3 * view.sum) + away * Sixteen(26 * view.step);
+    const Sixteen bounds[3] = {shape.bound(0, unit, view.sum), shape.bound(1, unit, view.sum),
+                               shape.bound(2, unit, view.sum)};
+    set_edges(view, shape, bounds, drafts);
     const Sixteen rho = shape.rho(corners.farthest, set_depths(view, away, drafts));
     const unsigned good = shape.agree & (rho <= Sixteen(most_rho));
     Sixteen::select(good, rho, infinite).store(drafts.rho);
@@ -296,7 +304,7 @@ LUCH_INLINE void place(const View& view, const Shape& shape, Drafts& drafts) {
     const Sixteen reach =
         Sixteen::select(corners.ahead(view, shape), Sixteen(1.5f) * corners.farthest,
                         Sixteen(6 * view.size_w) * shape.size);
-    bound_doubt(view, shape, reach, rho, bound, drafts);
+    bound_doubt(view, shape, reach, rho, most(bounds), drafts);
 }
 
 LUCH_INLINE void draft(const View& view, const Block& block, Drafts& drafts) {

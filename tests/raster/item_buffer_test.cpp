@@ -113,12 +113,14 @@ TEST(ItemBuffer, ShowsNothingOfAnEmptySceneOrAnEmptyMesh) {
 
 TEST(ItemBuffer, TakesFramesOfAnyShapeAndAnyPointOfAPixel) {
     const Scene scene = crowd();
+    const auto accelerator = build_accelerator(scene);
+    WorkCounts work;
     ItemBuffer buffer(scene);
     for (const Size size : {Size{1, 1}, Size{1, 37}, Size{641, 7}, Size{65, 64}}) {
         for (const Vec2d& offset : {Vec2d(0.5), Vec2d(0.125, 0.875)}) {
             const Sights sights =
                 testing::compared(buffer, scene.camera, size, offset, Workers(2),
-                                  [&](const Ray& ray) { return closest_brute(scene, ray); });
+                                  [&](const Ray& ray) { return accelerator->closest(ray, work); });
             EXPECT_TRUE(sights.right()) << size.width;
             EXPECT_EQ(sights.pixels, size.area());
         }
