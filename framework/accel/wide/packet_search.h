@@ -20,9 +20,13 @@ struct Visit {
     std::uint16_t slot, groups;
 };
 
-/// How many tests of sixteen rays a packet is worth: some six for each group of them would do when
-/// they have much in common.
-inline constexpr std::uint64_t patience = 800;
+/// How many tests of sixteen rays a packet is worth: some twelve for each group of them would do
+/// when they have much in common.
+inline constexpr std::uint64_t patience = 4096;
+/// So many groups are tested ray by ray whether they meet a box: what lies between a group's rays
+/// is much larger than they are where boxes are small, and a block that none of them meets costs
+/// more than the test, most of all when it has to come from memory.
+inline constexpr int few_groups = 4;
 
 template <bool any>
 class PacketSearch {
@@ -51,7 +55,8 @@ class PacketSearch {
             if (!(visit.near <= bundle_.limit_all)) continue;
             const Node& node = tree_.nodes[visit.node];
             unsigned meeting = groups_meeting(bundle_, node, visit.slot) & visit.groups;
-            for (unsigned g = meeting & bundle_.wide; g != 0; g &= g - 1) {
+            const bool few = std::popcount(meeting) <= few_groups;
+            for (unsigned g = few ? meeting : meeting & bundle_.wide; g != 0; g &= g - 1) {
                 ++rays_tested_;
                 if (!ray_meets(node, visit.slot, std::countr_zero(g))) meeting &= ~(g & -g);
             }
@@ -74,6 +79,7 @@ class PacketSearch {
         const int base = size_;
         for (unsigned mask = children_meeting(bundle_, node, near); mask != 0; mask &= mask - 1) {
             const int slot = std::countr_zero(mask);
+            tree_.prefetch(node.child[slot]);
             int at = size_++;
             for (; at > base && stack_[at - 1].near < near[slot]; --at) {
                 stack_[at] = stack_[at - 1];
