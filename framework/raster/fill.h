@@ -52,9 +52,10 @@ LUCH_INLINE unsigned touched(int x0, int y0, int x1, int y1) {
 template <Kind kind>
 class Filler {
  public:
-    /// (x, y): the bin's first pixel.
-    LUCH_INLINE Filler(const Facet& facet, int x, int y, Cell* cells)
+    /// (x, y): the bin's first pixel; all: rivals are wanted that are certainly farther, too.
+    LUCH_INLINE Filler(const Facet& facet, int x, int y, bool all, Cell* cells)
         : facet_(facet),
+          all_(all),
           cells_(cells),
           x_(x - static_cast<int>(facet.x)),
           y_(y - static_cast<int>(facet.y)),
@@ -125,13 +126,13 @@ class Filler {
         const Sixteen depth = depth_.at(x, y);
         Sixteen hi = depth * (1 + facet_.rho);
         if (maybe != certain) hi = Sixteen::select(certain, hi, in_doubt(depth, inner));
-        const Sixteen rival = Sixteen::load(cell.rival);
-        const unsigned seen = maybe & (rival < hi);
+        const unsigned seen = maybe & (Sixteen::load(all_ ? cell.rival : cell.near) <= hi);
         if (seen == 0) return;
-        const Sixteen near = Sixteen::load(cell.near), lo_depth = depth * (1 - facet_.rho);
+        const Sixteen rival = Sixteen::load(cell.rival), near = Sixteen::load(cell.near),
+                      lo_depth = depth * (1 - facet_.rho);
         const unsigned wins = seen & certain & (near < lo_depth);
         if (wins == 0) {
-            Sixteen::select(seen, hi, rival).store(cell.rival);
+            Sixteen::select(seen, max_or(hi, rival), rival).store(cell.rival);
             return;
         }
         const Sixteen near_most = Sixteen::load(cell.near_most);
@@ -149,6 +150,7 @@ class Filler {
     }
 
     const Facet& facet_;
+    bool all_;
     Cell* cells_;
     int x_, y_;
     Plane edge_[3], depth_;
@@ -182,21 +184,22 @@ LUCH_INLINE void write(const Cell* cells, float* near, float* second, std::uint3
 void draw(const Entry* entries, int count, int x, int y, float* near, float* second,
           std::uint32_t* items) {
     Cell cells[cells_of_bin];
+    const bool all = second != nullptr;
     clear(cells);
     for (int i = 0; i < count; ++i) {
         const Entry& entry = entries[i];
         switch (entry.facet->kind) {
             case Kind::regular:
-                Filler<Kind::regular>(*entry.facet, x, y, cells).fill(entry.span);
+                Filler<Kind::regular>(*entry.facet, x, y, all, cells).fill(entry.span);
                 break;
             case Kind::crossing:
-                Filler<Kind::crossing>(*entry.facet, x, y, cells).fill(entry.span);
+                Filler<Kind::crossing>(*entry.facet, x, y, all, cells).fill(entry.span);
                 break;
             case Kind::turned:
-                Filler<Kind::turned>(*entry.facet, x, y, cells).fill(entry.span);
+                Filler<Kind::turned>(*entry.facet, x, y, all, cells).fill(entry.span);
                 break;
             case Kind::doubtful:
-                Filler<Kind::doubtful>(*entry.facet, x, y, cells).fill(entry.span);
+                Filler<Kind::doubtful>(*entry.facet, x, y, all, cells).fill(entry.span);
                 break;
         }
     }
