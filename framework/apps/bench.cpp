@@ -3,6 +3,7 @@
 #include "framework/base/error.h"
 #include "framework/base/json.h"
 #include "framework/base/text.h"
+#include "framework/measure/bench_raster.h"
 #include "framework/measure/bench_rays.h"
 #include "framework/scene/loader/mesh_builder.h"
 #include "framework/scene/loader/obj.h"
@@ -153,22 +154,55 @@ Json json_of(const MeshSpeed& speed, const RayBench& bench) {
         .set("kinds", kinds);
 }
 
+void print(const RasterSpeed& speed) {
+    fmt::print("{}: {} triangles, {} pixels, {} of them covered\n", speed.mesh, speed.triangles,
+               speed.pixels, speed.covered);
+    for (const RasterModeSpeed& mode : speed.modes) {
+        fmt::print("  {:<7} {:<12} {:8.2f} Mpx/s {:6.2f} x\n", mode.backend, mode.mode,
+                   mode.mpixels_per_s, speed.ratio_of(mode));
+    }
+    fmt::print("  {} ambiguous pixels traced; {} pixels differ from the single ray\n",
+               speed.ambiguous, speed.mismatches);
+}
+
+Json json_of(const RasterSpeed& speed) {
+    Json modes = Json::array();
+    for (const RasterModeSpeed& mode : speed.modes) {
+        modes.push(Json::object()
+                       .set("backend", mode.backend)
+                       .set("mode", mode.mode)
+                       .set("mpixels_per_s", mode.mpixels_per_s)
+                       .set("ratio", speed.ratio_of(mode)));
+    }
+    return Json::object()
+        .set("mesh", speed.mesh)
+        .set("triangles", speed.triangles)
+        .set("pixels", speed.pixels)
+        .set("covered", speed.covered)
+        .set("ambiguous", speed.ambiguous)
+        .set("mismatches", speed.mismatches)
+        .set("modes", modes);
+}
+
 class Bench final : public Verb {
  public:
     std::string_view name() const override { return "bench"; }
     std::string_view summary() const override { return "how fast rays are, beside a peer"; }
     std::string_view examples() const override {
         return "  luch bench rays scenes/room/teapot_hires.obj\n"
-               "  luch bench rays bumpy --backend luch,embree --rays primary,shadow\n";
+               "  luch bench rays bumpy --backend luch,embree --rays primary,shadow\n"
+               "  luch bench raster bumpy --backend luch,embree --width 1280 --height 720\n";
     }
     void declare(Arguments& arguments) override {
-        arguments.positional("WHAT", what_, "rays");
+        arguments.positional("WHAT", what_, "rays or raster");
         arguments.positional("MESH", meshes_, "meshes: .obj files, or bumpy (generated)");
         arguments.option("--backend", backends_, "NAMES", "luch, or luch,embree to race them");
         arguments.option("--rays", kinds_, "KINDS", "of primary, shadow and diffuse");
         arguments.option("--threads", bench_.threads, "N", "threads, 0: one a core [1]");
         arguments.option("--isa", isa_, "LEVEL", "v2, v3 or v4, for all back ends [the best]");
         arguments.option("--side", bench_.side, "N", "N x N rays of a kind [1024]");
+        arguments.option("--width", size_.width, "N", "of the frame of bench raster [1920]");
+        arguments.option("--height", size_.height, "N", "of the frame of bench raster [1080]");
         arguments.option("--rounds", bench_.rounds, "N", "medians of so many runs [7]");
         arguments.option("--scale", bench_.scale, "X", "size of the mesh, a power of two [1]");
         arguments.option("--view", view_, "NUMBERS", "eye, target, light: nine numbers");
@@ -176,6 +210,7 @@ class Bench final : public Verb {
     }
     int run() override {
         check();
+        if (what_ == "raster") return run_raster();
         Json meshes = Json::array();
         std::uint64_t mismatches = 0;
         for (const std::string& name : meshes_) {
@@ -200,8 +235,33 @@ class Bench final : public Verb {
     }
 
  private:
+    int run_raster() {
+        const RasterBench bench{std::ranges::count(bench_.backends, "embree") > 0, bench_.threads,
+                                size_, bench_.rounds, bench_.isa};
+        Json meshes = Json::array();
+        std::uint64_t mismatches = 0;
+        for (const std::string& name : meshes_) {
+            const Mesh mesh = mesh_of(name);
+            const RasterSpeed speed = raced(name, mesh, view_of(view_, mesh), bench);
+            print(speed);
+            meshes.push(json_of(speed));
+            mismatches += speed.mismatches;
+        }
+        if (!json_.empty()) {
+            Json::object()
+                .set("version", LUCH_VERSION)
+                .set("threads", bench.threads)
+                .set("isa", to_string(bench.isa))
+                .set("width", size_.width)
+                .set("height", size_.height)
+                .set("meshes", meshes)
+                .write(json_);
+        }
+        return mismatches == 0 ? 0 : 1;
+    }
+
     void check() {
-        constexpr std::string_view whats[] = {"rays"}, backends[] = {"luch", "embree"},
+        constexpr std::string_view whats[] = {"rays", "raster"}, backends[] = {"luch", "embree"},
                                    kinds[] = {"primary", "shadow", "diffuse"};
         checked(what_, "bench", whats);
         bench_.backends = checked(backends_, "--backend", backends);
@@ -216,6 +276,10 @@ class Bench final : public Verb {
         if (bench_.side < 16 || bench_.side > 8192 || bench_.side % 16 != 0) {
             throw Error(fmt::format("--side {}: give a multiple of 16, to 8192", bench_.side));
         }
+        if (std::min(size_.width, size_.height) < 1 || std::max(size_.width, size_.height) > 8192) {
+            throw Error(fmt::format("--width {} --height {}: give 1 to 8192 for each", size_.width,
+                                    size_.height));
+        }
         if (bench_.rounds < 1 || bench_.rounds > 1000) {
             throw Error(fmt::format("--rounds {}: give 1 to 1000", bench_.rounds));
         }
@@ -227,6 +291,7 @@ class Bench final : public Verb {
     std::string what_, isa_, view_, json_, backends_ = "luch", kinds_ = "primary,shadow,diffuse";
     std::vector<std::string> meshes_;
     RayBench bench_;
+    Size size_{1920, 1080};
 };
 
 }  // namespace
