@@ -76,8 +76,13 @@ class BvhAccelerator final : public Accelerator {
                 if (improve_with_node(id, rays.ray(i), false, best, work)) hits.set(i, best);
             }
         };
-        world_.visit(rays, hits.t, visit, work);
+        const bool finished = world_.visit(rays, hits.t, visit, work);
         for (int i = 0; i < rays.count; ++i) {
+            if (!finished && hits.t[i] != nothing) {
+                Hit best = hits.hit(i);
+                search(rays.ray(i), false, best, work);
+                hits.set(i, best);
+            }
             const float t = hits.t[i];
             hits.t[i] = hits.node[i] == no_node ? std::numeric_limits<float>::infinity() : t;
         }
@@ -99,8 +104,13 @@ class BvhAccelerator final : public Accelerator {
                 if (improve_with_node(id, ray, true, best, work)) limits[i] = nothing;
             }
         };
-        world_.visit(rays, limits, visit, work);
+        const bool finished = world_.visit(rays, limits, visit, work);
         for (int i = 0; i < rays.count; ++i) {
+            if (!finished && limits[i] != nothing) {
+                Hit best = no_hit_before(rays.ray(i));
+                search(rays.ray(i), true, best, work);
+                if (best) limits[i] = nothing;
+            }
             blocked[i] = limits[i] == nothing && rays.t_max[i] > rays.t_min ? 1 : 0;
         }
     }

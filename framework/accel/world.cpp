@@ -84,6 +84,9 @@ class PacketBounds {
     double lo_[3], hi_[3];
 };
 
+/// A packet that meets more nodes than this goes ray by ray: turning 256 rays into a node's frame
+/// costs as much as a few of them do alone.
+constexpr std::size_t most_nodes = 6;
 /// How many times the scene's extent a ray may start from its middle and still be near.
 constexpr double near_enough = 3;
 
@@ -156,36 +159,37 @@ void World::walk(const Ray& ray, float limit, float (*each)(void*, std::uint32_t
     kernels_->walk(tree_, relative, limit, slack_for(ray.origin - centre_), call, &leaf, work);
 }
 
-void World::walk(const RayPacket& rays, const float* limits, void (*each)(void*, std::uint32_t),
+bool World::walk(const RayPacket& rays, const float* limits, void (*each)(void*, std::uint32_t),
                  void* with, WorkCounts& work) const {
-    if (!all_finite(rays.origin)) return;
+    if (!all_finite(rays.origin)) return true;
     for (const NodeId node : unbounded_) each(with, node);
-    if (bounded_.empty()) return;
+    if (bounded_.empty()) return true;
     const PacketBounds bounds(rays, centre_);
     const float slack = slack_for(rays.origin - centre_);
-    struct Entry {
-        double near;
-        std::uint32_t child;
-    };
-    std::vector<Entry> stack{{-std::numeric_limits<double>::infinity(), 0}};
+    const double limit = largest(limits);
+    std::vector<std::pair<double, NodeId>> met;
+    std::vector<std::uint32_t> stack{0};
     while (!stack.empty()) {
-        const Entry entry = stack.back();
+        const std::uint32_t child = stack.back();
         stack.pop_back();
-        if (!(entry.near <= largest(limits))) continue;
-        if ((entry.child & wide::leaf_bit) != 0) {
-            each(with, bounded_[entry.child & ~wide::leaf_bit]);
-            continue;
-        }
-        const wide::Node& node = tree_.nodes[entry.child];
+        const wide::Node& node = tree_.nodes[child];
         work.boxes += wide::node_width;
-        const std::size_t first = stack.size();
         for (int slot = 0; slot < wide::node_width && (node.used >> slot & 1) != 0; ++slot) {
             const double near = bounds.enter(node.box(slot), slack);
-            if (!std::isnan(near)) stack.push_back({near, node.child[slot]});
+            if (!(near <= limit)) continue;
+            if ((node.child[slot] & wide::leaf_bit) == 0) {
+                stack.push_back(node.child[slot]);
+            } else {
+                met.emplace_back(near, bounded_[node.child[slot] & ~wide::leaf_bit]);
+                if (met.size() > most_nodes) return false;
+            }
         }
-        std::sort(stack.begin() + static_cast<std::ptrdiff_t>(first), stack.end(),
-                  [](const Entry& a, const Entry& b) { return a.near > b.near; });
     }
+    std::ranges::sort(met);
+    for (const auto& [near, node] : met) {
+        if (near <= largest(limits)) each(with, node);
+    }
+    return true;
 }
 
 }  // namespace luch

@@ -22,13 +22,15 @@ class World {
         walk(ray, limit, call, &visit, work);
     }
 
-    /// The same for a packet; limits: of its rays, which visit(node) lowers itself.
+    /// The same for a packet; limits: of its rays, which visit(node) lowers itself. False when the
+    /// packet meets so many nodes that its rays, few of which meet each, cost less one by one: then
+    /// nodes are left.
     template <class Visit>
-    void visit(const RayPacket& rays, const float* limits, Visit&& visit, WorkCounts& work) const {
+    bool visit(const RayPacket& rays, const float* limits, Visit&& visit, WorkCounts& work) const {
         const auto call = [](void* with, std::uint32_t node) {
             (*static_cast<std::remove_reference_t<Visit>*>(with))(node);
         };
-        walk(rays, limits, call, &visit, work);
+        return walk(rays, limits, call, &visit, work);
     }
 
     [[nodiscard]] std::uint64_t bytes() const;
@@ -36,7 +38,7 @@ class World {
  private:
     void walk(const Ray& ray, float limit, float (*each)(void*, std::uint32_t), void* with,
               WorkCounts& work) const;
-    void walk(const RayPacket& rays, const float* limits, void (*each)(void*, std::uint32_t),
+    bool walk(const RayPacket& rays, const float* limits, void (*each)(void*, std::uint32_t),
               void* with, WorkCounts& work) const;
 
     /// See the kernels' walk(); `origin` relative to the middle.

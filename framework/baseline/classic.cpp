@@ -37,6 +37,34 @@ void for_each_pixel(const Tile& tile, Work&& work) {
     }
 }
 
+/// The rays of a tile's pixels, but for pixels that no ray goes through.
+struct TileRays {
+    std::vector<std::pair<int, int>> pixels;
+    std::vector<Ray> rays;
+    std::vector<Key> keys;
+    std::vector<Rgb> light;
+
+    void clear() {
+        pixels.clear();
+        rays.clear();
+        keys.clear();
+    }
+    void add(int x, int y, const Ray& ray, Key key) {
+        if (nowhere(ray)) return;
+        pixels.emplace_back(x, y);
+        rays.push_back(ray);
+        keys.push_back(key);
+    }
+    /// Adds what the rays bring, their hits being known.
+    void shade(const Whitted& whitted, std::span<const Hit> hits, ImageView<Rgb> colour) {
+        light.resize(rays.size());
+        whitted.shade(RayKind::primary, rays, hits, keys, light);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            colour(pixels[i].first, pixels[i].second) += light[i];
+        }
+    }
+};
+
 /// Whether a pixel stands out from its four neighbours, or one of them does.
 bool is_edge(ImageView<const Rgb> image, int x, int y) {
     const auto clamped = [&](int i, int j) {
@@ -89,26 +117,18 @@ void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Wh
     const Screen screen(shot.camera, shot.size);
     const Whitted whitted(scene, needs, tracer);
     const int samples = sample_count(shot);
-    std::vector<std::pair<int, int>> pixels;
-    std::vector<Ray> rays;
+    TileRays tile_rays;
     std::vector<Hit> hits;
     for_each_pixel(tile, [&](int x, int y) { colour(x, y) = Rgb(0); });
     for (int sample = 0; sample < samples; ++sample) {
-        pixels.clear();
-        rays.clear();
+        tile_rays.clear();
         for_each_pixel(tile, [&](int x, int y) {
-            const Ray ray = primary_ray(screen, shot, x, y, sample, samples, lens);
-            if (nowhere(ray)) return;
-            pixels.emplace_back(x, y);
-            rays.push_back(ray);
+            tile_rays.add(x, y, primary_ray(screen, shot, x, y, sample, samples, lens),
+                          sample_key(shot, x, y, sample).branch(radiance));
         });
-        hits.resize(rays.size());
-        tracer.closest(RayKind::primary, rays, hits);
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const auto [x, y] = pixels[i];
-            const Key key = sample_key(shot, x, y, sample).branch(radiance);
-            colour(x, y) += whitted.shade(RayKind::primary, rays[i], hits[i], key);
-        }
+        hits.resize(tile_rays.rays.size());
+        tracer.closest(RayKind::primary, tile_rays.rays, hits);
+        tile_rays.shade(whitted, hits, colour);
     }
     if (samples == 1) return;
     for_each_pixel(tile, [&](int x, int y) { colour(x, y) /= static_cast<float>(samples); });
@@ -117,13 +137,15 @@ void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Wh
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
                 Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour) {
     const Screen screen(shot.camera, shot.size);
-    const Whitted whitted(scene, needs, tracer);
+    TileRays tile_rays;
     for_each_pixel(tile, [&](int x, int y) {
-        const Key key = sample_key(shot, x, y, 0).branch(radiance);
-        const Ray ray = screen.ray(x + 0.5, y + 0.5);
-        colour(x, y) =
-            nowhere(ray) ? Rgb(0) : whitted.shade(RayKind::primary, ray, hits(x, y), key);
+        colour(x, y) = Rgb(0);
+        tile_rays.add(x, y, screen.ray(x + 0.5, y + 0.5),
+                      sample_key(shot, x, y, 0).branch(radiance));
     });
+    std::vector<Hit> found;
+    for (const auto& [x, y] : tile_rays.pixels) found.push_back(hits(x, y));
+    tile_rays.shade(Whitted(scene, needs, tracer), found, colour);
 }
 
 void antialias(const Scene& scene, const Shot& shot, const WhittedNeeds& needs, Context& context,

@@ -57,6 +57,10 @@ int sample_count(const Light& light) {
     return rect ? rect->x_samples * rect->y_samples : 1;
 }
 
+bool stands_in_one_place(const Light& light) {
+    return std::holds_alternative<PointLight>(light) || std::holds_alternative<SpotLight>(light);
+}
+
 LightSample sample_of(const Light& light, int index, Key key, const Surface& surface) {
     return std::visit([&](const auto& kind) { return sample(kind, index, key, surface); }, light);
 }

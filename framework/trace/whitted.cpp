@@ -1,5 +1,6 @@
 #include "framework/trace/whitted.h"
 
+#include "framework/trace/known_shadows.h"
 #include "framework/trace/light_sample.h"
 #include "framework/trace/optics.h"
 
@@ -20,7 +21,9 @@ struct MaterialShader {
     RayKind kind;
     Key key;
     int depth;
-    const Refraction* medium;  ///< what the ray came through; null: nothing
+    const Refraction* medium;               ///< what the ray came through; null: nothing
+    const KnownShadows* shadows = nullptr;  ///< answers for this point, where there are any
+    std::size_t point = 0;                  ///< its number there
 
     Rgb operator()(const Lambert& material) const {
         const auto no_highlight = [](const Vec3d&) { return Rgb(0); };
@@ -123,23 +126,29 @@ struct MaterialShader {
             const Key light_key = key.branch(lights).branch(i);
             for (int s = 0; s < sample_count(scene.lights[i]); ++s) {
                 const LightSample sample = sample_of(scene.lights[i], s, light_key, surface);
-                add_light(sample, highlight, diffuse, specular);
+                add_light(i, sample, highlight, diffuse, specular);
             }
         }
         return albedo * diffuse + specular;
     }
 
     template <class Highlight>
-    void add_light(const LightSample& sample, Highlight&& highlight, Rgb& diffuse,
-                   Rgb& specular) const {
-        const double cosine = glm::dot(surface.normal, sample.to_light);
-        const bool dark =
-            !(cosine > 0) || (sample.irradiance == Rgb(0) && sample.highlight == Rgb(0));
+    void add_light(std::size_t light, const LightSample& sample, Highlight&& highlight,
+                   Rgb& diffuse, Rgb& specular) const {
+        const bool dark = is_dark(sample, surface);
         if (dark && !tracer.needs_.dark_shadow_rays) return;
-        const bool blocked = tracer.tracer_->occluded(RayKind::shadow, sample.shadow);
+        const bool blocked = is_blocked(light, sample.shadow);
         if (dark || blocked) return;
+        const double cosine = glm::dot(surface.normal, sample.to_light);
         diffuse += sample.irradiance * static_cast<float>(cosine);
         specular += sample.highlight * highlight(sample.to_light);
+    }
+
+    bool is_blocked(std::size_t light, const Ray& shadow) const {
+        using Answer = KnownShadows::Answer;
+        const Answer known = shadows != nullptr ? shadows->of(light, point) : Answer::not_asked;
+        if (known != Answer::not_asked) return known == Answer::blocked;
+        return tracer.tracer_->occluded(RayKind::shadow, shadow);
     }
 };
 
@@ -160,6 +169,29 @@ Rgb Whitted::shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int de
     const Surface surface = surface_at(*scene_, ray, hit, needs_.surface);
     return std::visit(MaterialShader{*this, *scene_, surface, ray, kind, key, depth, medium},
                       material_of(*scene_, hit));
+}
+
+void Whitted::shade(RayKind kind, std::span<const Ray> rays, std::span<const Hit> hits,
+                    std::span<const Key> keys, std::span<Rgb> light) const {
+    if (tracer_->log() != nullptr) {  // which wants the rays of each path together
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            light[i] = shade(kind, rays[i], hits[i], keys[i]);
+        return;
+    }
+    std::vector<Surface> surfaces(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (hits[i]) surfaces[i] = surface_at(*scene_, rays[i], hits[i], needs_.surface);
+    }
+    const KnownShadows shadows(*scene_, surfaces, hits, needs_.dark_shadow_rays, *tracer_);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!hits[i]) {
+            light[i] = sky_radiance(*scene_, rays[i].direction);
+            continue;
+        }
+        const MaterialShader shader{*this,   *scene_, surfaces[i], rays[i],  kind,
+                                    keys[i], 0,       nullptr,     &shadows, i};
+        light[i] = std::visit(shader, material_of(*scene_, hits[i]));
+    }
 }
 
 }  // namespace luch

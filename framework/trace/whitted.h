@@ -32,6 +32,11 @@ class Whitted {
     [[nodiscard]] Rgb shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth = 0,
                             const Refraction* medium = nullptr) const;
 
+    /// The same for neighbours at depth 0, light[i] of rays[i]; lights that stand in one place are
+    /// asked for all of them at once. Bit for bit the same, and as many rays.
+    void shade(RayKind kind, std::span<const Ray> rays, std::span<const Hit> hits,
+               std::span<const Key> keys, std::span<Rgb> light) const;
+
  private:
     friend struct MaterialShader;
     const Scene* scene_;
