@@ -13,19 +13,6 @@ LUCH_INLINE float lesser(float a, float b) {
 LUCH_INLINE float greater(float a, float b) {
     return a > b ? a : b;
 }
-LUCH_INLINE Sixteen lesser(const Sixteen& a, const Sixteen& b) {
-    return min_or(a, b);
-}
-LUCH_INLINE Sixteen greater(const Sixteen& a, const Sixteen& b) {
-    return max_or(a, b);
-}
-LUCH_INLINE unsigned lanes_below(float a, float b) {
-    return a < b ? 0xffff : 0;
-}
-LUCH_INLINE unsigned lanes_below(const Sixteen& a, const Sixteen& b) {
-    return a < b;
-}
-
 /// A triangle as seen from where the rays start: one for all sixteen, or (T = Sixteen) one for
 /// each.
 template <class T>
@@ -33,11 +20,14 @@ struct Look {
     Three<T> edge[3];         ///< a_i × a_j
     Three<T> normal, lo, hi;  ///< and the box
     T above, size;            ///< normal · a_0; the largest |component| of the edges
+    T id;                     ///< the bits of the triangle's number
     unsigned certain;         ///< the sign of `above` is
 
     Look() = default;
-    LUCH_INLINE Look(const Three<T> (&p)[3], const T& edge_size, const Three<T>& origin)
-        : size(edge_size) {
+    LUCH_INLINE Look(const Triangle& triangle, const Three<T>& origin)
+        : size(triangle.edge), id(std::bit_cast<float>(triangle.id)) {
+        const float* c = triangle.corner;
+        const Three<T> p[3] = {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, {c[6], c[7], c[8]}};
         const Three<T> a[3] = {minus(p[0], origin), minus(p[1], origin), minus(p[2], origin)};
         for (int k = 0; k < 3; ++k) {
             const Three<T>&from = a[(k + 1) % 3], &to = a[(k + 2) % 3];
@@ -49,8 +39,26 @@ struct Look {
               lesser(a[0].z, lesser(a[1].z, a[2].z))};
         hi = {greater(a[0].x, greater(a[1].x, a[2].x)), greater(a[0].y, greater(a[1].y, a[2].y)),
               greater(a[0].z, greater(a[1].z, a[2].z))};
-        using std::abs;
-        certain = lanes_below(wide::sign_bound(size, size, wide::sum_of_sizes(a[0])), abs(above));
+        const float bound = wide::sign_bound(size, size, wide::sum_of_sizes(a[0]));
+        certain = bound < std::abs(above) ? 0xffff : 0;
+    }
+
+    /// Takes another one for some lanes.
+    LUCH_INLINE void take(unsigned lanes, const Look<float>& other) {
+        const auto each = [&](T& to, float from) { to = T::select(lanes, from, to); };
+        const auto all = [&](Three<T>& to, const Three<float>& from) {
+            each(to.x, from.x);
+            each(to.y, from.y);
+            each(to.z, from.z);
+        };
+        for (int k = 0; k < 3; ++k) all(edge[k], other.edge[k]);
+        all(normal, other.normal);
+        all(lo, other.lo);
+        all(hi, other.hi);
+        each(above, other.above);
+        each(size, other.size);
+        each(id, other.id);
+        certain = (certain & ~lanes) | (other.certain & lanes);
     }
 };
 
@@ -95,7 +103,17 @@ LUCH_INLINE Found found_by(const Look<T>& at, const Three<Sixteen>& direction) {
     return found;
 }
 
-/// The hits of a tile with the triangles of one node.
+LUCH_INLINE void put_all(const Hit& hit, HitPacket& hits, int first, int last) {
+    std::fill(hits.t + first, hits.t + last, hit.t);
+    std::fill(hits.u + first, hits.u + last, hit.u);
+    std::fill(hits.v + first, hits.v + last, hit.v);
+    std::fill(hits.node + first, hits.node + last, hit.node);
+    std::fill(hits.primitive + first, hits.primitive + last, hit.primitive);
+}
+
+/// The hits of a tile with the triangles of one node. `fresh`: all others become Hit{}, else they
+/// stay.
+template <bool fresh>
 class Resolver {
  public:
     LUCH_INLINE Resolver(const Target& target, const RayPacket& rays, HitPacket& hits)
@@ -113,7 +131,7 @@ class Resolver {
     }
 
  private:
-    static constexpr int looks = 8;
+    static constexpr int looks = 16;
 
     /// The same operations as Transform::direction and object_ray().
     LUCH_INLINE void turn() {
@@ -128,33 +146,25 @@ class Resolver {
     }
 
     LUCH_INLINE void resolve_group(const std::uint32_t* items, int first) {
-        std::uint32_t index[16], others = 0;
-        for (int i = 0; i < 16; ++i) {
-            index[i] = items[i] - target_.base;
-            others |= items[i] ^ items[0];
+        const unsigned ours = Sixteen::below(items, target_.base + target_.count) &
+                              ~Sixteen::below(items, target_.base);
+        if (ours == 0) return clear(first);
+        const std::uint32_t one = items[std::countr_zero(ours)];
+        unsigned rest = ours & ~Sixteen::equal(items, one);
+        if (rest == 0) return keep(look_at(one), items, ours, first);
+        Look<Sixteen> look;
+        look.take(0xffff, look_at(one));
+        while (rest != 0) {
+            const std::uint32_t next = items[std::countr_zero(rest)];
+            const unsigned same = Sixteen::equal(items, next);
+            look.take(same, look_at(next));
+            rest &= ~same;
         }
-        if (others == 0) {
-            if (index[0] < target_.count) alone(index[0], 0xffff, first);
-            return;
-        }
-        const unsigned ours = those(index, [&](std::uint32_t i) { return i < target_.count; });
-        if (ours == 0) return;
-        const std::uint32_t one = index[std::countr_zero(ours)];
-        others = 0;
-        for (std::uint32_t& i : index) {
-            i = i < target_.count ? i : one;
-            others |= i ^ one;
-        }
-        if (others == 0) return alone(one, ours, first);
-        each_its_own(index, ours, first);
+        keep(look, items, ours, first);
     }
 
-    /// A bit for each of sixteen that `is` says yes to.
-    template <class Is>
-    LUCH_INLINE static unsigned those(const std::uint32_t (&index)[16], Is&& is) {
-        alignas(64) float yes[16];
-        for (int i = 0; i < 16; ++i) yes[i] = is(index[i]) ? 1.0f : 0.0f;
-        return Sixteen(0.5f) < Sixteen::load(yes);
+    LUCH_INLINE void clear(int first) {
+        if (fresh) put_all(Hit{}, hits_, first, first + 16);
     }
 
     LUCH_INLINE Three<Sixteen> directions(int first) const {
@@ -162,74 +172,49 @@ class Resolver {
                 Sixteen::load(direction_[2] + first)};
     }
 
-    /// All that are ours show one triangle.
-    LUCH_INLINE void alone(std::uint32_t index, unsigned ours, int first) {
-        const Triangle& triangle = target_.triangles[index];
-        const int at = static_cast<int>(index % looks);
-        if (held_[at] != index) {
-            const auto corner = [&](int k) {
-                return Three<float>{triangle.corner[3 * k], triangle.corner[3 * k + 1],
-                                    triangle.corner[3 * k + 2]};
-            };
-            look_[at] = Look<float>({corner(0), corner(1), corner(2)}, triangle.edge, origin_);
-            held_[at] = index;
+    LUCH_INLINE const Look<float>& look_at(std::uint32_t item) {
+        const auto at = static_cast<int>(item % looks);
+        if (held_[at] != item) {
+            look_[at] = Look<float>(target_.triangles[item - target_.base], origin_);
+            held_[at] = item;
         }
-        keep(found_by(look_[at], directions(first)), ours, first);
-        for (int i = 0; i < 16; ++i) {
-            const bool here = (ours >> i & 1) != 0;
-            hits_.node[first + i] = here ? target_.node : hits_.node[first + i];
-            hits_.primitive[first + i] = here ? triangle.id : hits_.primitive[first + i];
-        }
-        const unsigned doubtful = ours & ~certain_;
-        if (doubtful == 0) return;
-        std::uint32_t same[16];
-        std::fill(same, same + 16, index);
-        ask(same, doubtful, first);
+        return look_[at];
     }
 
-    LUCH_INLINE void each_its_own(const std::uint32_t (&index)[16], unsigned ours, int first) {
-        alignas(64) float corner[9][16], edge[16];
-        for (int i = 0; i < 16; ++i) {
-            const Triangle& triangle = target_.triangles[index[i]];
-            for (int k = 0; k < 9; ++k) corner[k][i] = triangle.corner[k];
-            edge[i] = triangle.edge;
-            const bool here = (ours >> i & 1) != 0;
-            hits_.node[first + i] = here ? target_.node : hits_.node[first + i];
-            hits_.primitive[first + i] = here ? triangle.id : hits_.primitive[first + i];
-        }
-        const auto at = [&](int k) {
-            return Three<Sixteen>{Sixteen::load(corner[3 * k]), Sixteen::load(corner[3 * k + 1]),
-                                  Sixteen::load(corner[3 * k + 2])};
+    template <class T>
+    LUCH_INLINE void keep(const Look<T>& look, const std::uint32_t* items, unsigned ours,
+                          int first) {
+        const Found found = found_by(look, directions(first));
+        const auto put = [&](const Sixteen& value, float other, float* to) {
+            Sixteen::select(ours, value, fresh ? Sixteen(other) : Sixteen::load(to + first))
+                .store(to + first);
         };
-        const Three<Sixteen> origin{origin_.x, origin_.y, origin_.z};
-        const Look<Sixteen> look({at(0), at(1), at(2)}, Sixteen::load(edge), origin);
-        keep(found_by(look, directions(first)), ours, first);
-        const unsigned doubtful = ours & ~certain_;
-        if (doubtful != 0) ask(index, doubtful, first);
-    }
-
-    LUCH_INLINE void keep(const Found& found, unsigned ours, int first) {
-        certain_ = found.certain;
-        const auto put = [&](const Sixteen& value, float* to) {
-            Sixteen::select(ours, value, Sixteen::load(to + first)).store(to + first);
+        const auto name = [&](std::uint32_t other, const Sixteen& value, std::uint32_t* to) {
+            Sixteen::select(
+                ours, value,
+                fresh ? Sixteen(std::bit_cast<float>(other)) : Sixteen::load_bits(to + first))
+                .store_bits(to + first);
         };
-        put(found.t, hits_.t);
-        put(found.u, hits_.u);
-        put(found.v, hits_.v);
+        put(found.t, infinite, hits_.t);
+        put(found.u, 0, hits_.u);
+        put(found.v, 0, hits_.v);
+        name(no_node, std::bit_cast<float>(target_.node), hits_.node);
+        name(0, look.id, hits_.primitive);
+        const unsigned doubtful = ours & ~found.certain;
+        if (doubtful != 0) ask(items, doubtful, first);
     }
 
     /// The hit function itself, where the lanes are not certain of what it would say.
-    [[gnu::noinline]] void ask(const std::uint32_t (&index)[16], unsigned doubtful, int first) {
+    [[gnu::noinline]] void ask(const std::uint32_t* items, unsigned doubtful, int first) {
         for (; doubtful != 0; doubtful &= doubtful - 1) {
             const int i = std::countr_zero(doubtful);
-            const Triangle& triangle = target_.triangles[index[i]];
+            const Triangle& triangle = target_.triangles[items[i] - target_.base];
             TriangleHit hit;
-            const bool found =
-                intersect_triangle(object_ray(target_.to_object->ray(rays_.ray(first + i))),
-                                   triangle.point(0), triangle.point(1), triangle.point(2),
-                                   target_.cull_backfaces, hit);
-            hits_.set(first + i, found ? Hit{hit.t, hit.u, hit.v, target_.node, triangle.id}
-                                       : Hit{});
+            const bool found = intersect_triangle(
+                object_ray(target_.to_object->ray(rays_.ray(first + i))), triangle.point(0),
+                triangle.point(1), triangle.point(2), target_.cull_backfaces, hit);
+            hits_.set(first + i,
+                      found ? Hit{hit.t, hit.u, hit.v, target_.node, triangle.id} : Hit{});
         }
     }
 
@@ -237,15 +222,29 @@ class Resolver {
     const RayPacket& rays_;
     HitPacket& hits_;
     Three<float> origin_;
-    unsigned certain_ = 0;  ///< of the group before
     alignas(64) float direction_[3][RayPacket::capacity];
     std::uint32_t held_[looks];  ///< which triangles the looks are of
     Look<float> look_[looks];
 };
 
-void resolve(const Target& target, const std::uint32_t* items, const RayPacket& rays,
+void miss(HitPacket& hits) {
+    put_all(Hit{}, hits, 0, RayPacket::capacity);
+}
+
+void resolve(const Target& target, const std::uint32_t* items, const RayPacket& rays, bool fresh,
              HitPacket& hits) {
-    Resolver(target, rays, hits).resolve(items);
+    if (fresh) return Resolver<true>(target, rays, hits).resolve(items);
+    Resolver<false>(target, rays, hits).resolve(items);
+}
+
+Survey survey(const std::uint32_t* items) {
+    std::uint32_t ambiguous = 0, lowest = no_item, highest = 0;
+    for (int i = 0; i < RayPacket::capacity; ++i) {
+        ambiguous += items[i] >> 31;
+        lowest = std::min(lowest, items[i]);
+        highest = std::max(highest, items[i] < no_item ? items[i] : 0u);
+    }
+    return {static_cast<int>(ambiguous), lowest, highest};
 }
 
 }  // namespace
