@@ -8,6 +8,9 @@
 #include <xsimd/xsimd.hpp>
 #endif
 
+#include <cstdint>
+#include <cstring>
+
 #define LUCH_INLINE [[gnu::always_inline]] inline
 
 // Kernel files of different levels see this header with different instructions behind the same
@@ -19,6 +22,13 @@ namespace {
 using Sse = xsimd::batch<float, xsimd::sse4_2>;
 LUCH_INLINE unsigned bits(Sse::batch_bool_type m) {
     return static_cast<unsigned>(_mm_movemask_ps(m.data));
+}
+/// A bit for each of the numbers that is `f` to another.
+template <class F>
+LUCH_INLINE unsigned judged(Sse, const std::uint32_t* all, std::uint32_t other, F&& f) {
+    using Whole = xsimd::batch<std::uint32_t, xsimd::sse4_2>;
+    const auto yes = f(Whole::load_unaligned(all), Whole(other));
+    return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(yes.data)));
 }
 /// a where a lane's bit is set, else b.
 LUCH_INLINE Sse pick(unsigned bits, Sse a, Sse b) {
@@ -35,6 +45,12 @@ using Avx = xsimd::batch<float, xsimd::fma3<xsimd::avx2>>;
 LUCH_INLINE unsigned bits(Avx::batch_bool_type m) {
     return static_cast<unsigned>(_mm256_movemask_ps(m.data));
 }
+template <class F>
+LUCH_INLINE unsigned judged(Avx, const std::uint32_t* all, std::uint32_t other, F&& f) {
+    using Whole = xsimd::batch<std::uint32_t, xsimd::fma3<xsimd::avx2>>;
+    const auto yes = f(Whole::load_unaligned(all), Whole(other));
+    return static_cast<unsigned>(_mm256_movemask_ps(_mm256_castsi256_ps(yes.data)));
+}
 LUCH_INLINE Avx pick(unsigned bits, Avx a, Avx b) {
     const __m256i lane = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
     const __m256i set = _mm256_and_si256(_mm256_set1_epi32(static_cast<int>(bits)), lane);
@@ -50,6 +66,11 @@ using Avx = Sse;
 using Avx512 = xsimd::batch<float, xsimd::avx512f>;
 LUCH_INLINE unsigned bits(Avx512::batch_bool_type m) {
     return m.data;
+}
+template <class F>
+LUCH_INLINE unsigned judged(Avx512, const std::uint32_t* all, std::uint32_t other, F&& f) {
+    using Whole = xsimd::batch<std::uint32_t, xsimd::avx512f>;
+    return f(Whole::load_unaligned(all), Whole(other)).data;
 }
 LUCH_INLINE Avx512 pick(unsigned bits, Avx512 a, Avx512 b) {
     return _mm512_mask_blend_ps(static_cast<__mmask16>(bits), b, a);
@@ -84,6 +105,13 @@ struct Lanes {
     LUCH_INLINE void store(float* to) const {
         for (int i = 0; i < parts; ++i) part[i].store_aligned(to + i * width);
     }
+    /// The bits of whole numbers, which no operation but select() may be asked to work on.
+    LUCH_INLINE static Lanes load_bits(const std::uint32_t* from) {
+        Lanes r;
+        std::memcpy(r.part, from, sizeof r.part);
+        return r;
+    }
+    LUCH_INLINE void store_bits(std::uint32_t* to) const { std::memcpy(to, part, sizeof part); }
     template <class F>
     LUCH_INLINE static Lanes zip(const Lanes& a, const Lanes& b, F&& f) {
         Lanes r;
@@ -139,6 +167,19 @@ struct Lanes {
     }
     LUCH_INLINE friend unsigned operator<=(const Lanes& a, const Lanes& b) {
         return compare(a, b, [](const P& x, const P& y) { return x <= y; });
+    }
+    /// The same of N whole numbers, wherever they are, with another.
+    LUCH_INLINE static unsigned equal(const std::uint32_t* all, std::uint32_t other) {
+        return judge(all, other, [](const auto& x, const auto& y) { return x == y; });
+    }
+    LUCH_INLINE static unsigned below(const std::uint32_t* all, std::uint32_t other) {
+        return judge(all, other, [](const auto& x, const auto& y) { return x < y; });
+    }
+    template <class F>
+    LUCH_INLINE static unsigned judge(const std::uint32_t* all, std::uint32_t other, F&& f) {
+        unsigned r = 0;
+        for (int i = 0; i < parts; ++i) r |= judged(P(), all + i * width, other, f) << (i * width);
+        return r;
     }
     LUCH_INLINE friend unsigned operator>(const Lanes& a, const Lanes& b) { return b < a; }
 

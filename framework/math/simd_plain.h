@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 // What simd.h needs of a register, in plain C++: for processors without the others, and so that
 // the tests can hold the kernels against it.
@@ -67,6 +68,12 @@ struct Plain {
 
 inline unsigned bits(unsigned mask) {
     return mask;
+}
+template <class F>
+unsigned judged(const Plain&, const std::uint32_t* all, std::uint32_t other, F&& f) {
+    unsigned r = 0;
+    for (std::size_t i = 0; i < Plain::size; ++i) r |= (f(all[i], other) ? 1u : 0u) << i;
+    return r;
 }
 inline float largest_of(const Plain& a) {
     float most = a.lane[0];

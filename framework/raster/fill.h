@@ -49,18 +49,54 @@ LUCH_INLINE unsigned touched(int x0, int y0, int x1, int y1) {
     return bits;
 }
 
+/// A bin while it is drawn.
+struct Bin {
+    Cell cells[cells_of_bin];
+    // No `near` of a cell, nor of a tile's cells, is less:
+    alignas(64) float cell_near[cells_of_bin];
+    alignas(64) float tile_near[16];
+};
+
+LUCH_INLINE float least_lane(const Sixteen& v) {
+    return -largest_lane(Sixteen(0.0f) - v);
+}
+
+/// What no `hi` of paint() exceeds in a rectangle of pixels: its farthest inverse depth is found
+/// from another corner, which is off by less than 2⁻²⁰ of the size of its parts. Of regular facets;
+/// others are never hidden.
+struct Ceiling {
+    float more, factor, least;
+
+    LUCH_INLINE Ceiling(const Facet& facet, int left, int top) {
+        const auto farther = [](int from) {
+            return static_cast<float>(std::max(std::abs(from), std::abs(from + bin_side)));
+        };
+        const float shift = facet.doubt < 0 ? -facet.doubt : 0;
+        const float parts = std::abs(facet.depth[0]) + farther(left) * std::abs(facet.depth[1]) +
+                            farther(top) * std::abs(facet.depth[2]);
+        more = shift + 0x1p-20f * (parts + shift);
+        factor = 1 + facet.rho;
+        least = facet.doubt < 0 ? 0 : facet.doubt;
+    }
+    template <class T>
+    LUCH_INLINE T over(const T& depth) const {
+        return (depth + T(more)) * T(factor);
+    }
+};
+
 template <Kind kind>
 class Filler {
  public:
     /// (x, y): the bin's first pixel; all: rivals are wanted that are certainly farther, too.
-    LUCH_INLINE Filler(const Facet& facet, int x, int y, bool all, Cell* cells)
+    LUCH_INLINE Filler(const Facet& facet, int x, int y, bool all, Bin& bin)
         : facet_(facet),
           all_(all),
-          cells_(cells),
+          bin_(bin),
           x_(x - static_cast<int>(facet.x)),
           y_(y - static_cast<int>(facet.y)),
           edge_{Plane(facet.edge[0]), Plane(facet.edge[1]), Plane(facet.edge[2])},
           depth_(facet.depth),
+          ceiling_(facet, x_, y_),
           item_(std::bit_cast<float>(facet.item)) {}
 
     LUCH_INLINE void fill(const Span& s) {
@@ -68,27 +104,57 @@ class Filler {
         const int x1 = std::min<int>(s.x1, bin_side - 1) >> 2;
         const int y1 = std::min<int>(s.y1, bin_side - 1) >> 2;
         if ((x1 - x0 + 1) * (y1 - y0 + 1) > 6) return descend(x0, y0, x1, y1);
+        const float highest = highest_in(x0, y0, x1, y1);
         for (int y = y0; y <= y1; ++y) {
             for (int x = x0; x <= x1; ++x) {
                 const int tile = (y >> 2) * 4 + (x >> 2), cell = (y & 3) * 4 + (x & 3);
-                paint(cells_[tile * 16 + cell], x_ + 4 * x, y_ + 4 * y);
+                if (highest < bin_.cell_near[tile * 16 + cell]) continue;
+                paint(tile * 16 + cell, x_ + 4 * x, y_ + 4 * y);
             }
         }
     }
 
  private:
+    static constexpr bool may_hide = kind == Kind::regular;
+
+    /// What no pixel of some cells can exceed.
+    LUCH_INLINE float highest_in(int x0, int y0, int x1, int y1) const {
+        if (!may_hide || all_) return infinite;
+        const auto x = static_cast<float>(x_ + 4 * x0), y = static_cast<float>(y_ + 4 * y0);
+        const auto width = static_cast<float>(4 * (x1 - x0) + 3);
+        const auto height = static_cast<float>(4 * (y1 - y0) + 3);
+        const float depth =
+            depth_.base + (x * depth_.dx + y * depth_.dy) +
+            (width * std::max(depth_.dx, 0.0f) + height * std::max(depth_.dy, 0.0f));
+        return std::max(ceiling_.over(depth), ceiling_.least);
+    }
+
+    /// Those of sixteen squares in which all that may be seen is behind what is there.
+    LUCH_INLINE unsigned hidden(int left, int top, float side, const float* near) const {
+        if (!may_hide || all_) return 0;
+        const Sixteen corners =
+            depth_.corners(static_cast<float>(left), static_cast<float>(top), side);
+        const Sixteen highest = ceiling_.over(corners + depth_.rise(side));
+        return max_or(highest, ceiling_.least) < Sixteen::load(near);
+    }
+
     /// The span in cells.
     LUCH_INLINE void descend(int x0, int y0, int x1, int y1) {
-        unsigned tiles = touched(x0 >> 2, y0 >> 2, x1 >> 2, y1 >> 2) & squares(x_, y_, 16);
+        unsigned tiles = touched(x0 >> 2, y0 >> 2, x1 >> 2, y1 >> 2) & squares(x_, y_, 16) &
+                         ~hidden(x_, y_, 16, bin_.tile_near);
         for (; tiles != 0; tiles &= tiles - 1) {
             const int tile = std::countr_zero(tiles);
             const int cx = (tile & 3) * 4, cy = (tile >> 2) * 4;
             const int x = x_ + 4 * cx, y = y_ + 4 * cy;
-            unsigned cells = touched(x0 - cx, y0 - cy, x1 - cx, y1 - cy) & squares(x, y, 4);
+            float* near = bin_.cell_near + 16 * tile;
+            unsigned cells = touched(x0 - cx, y0 - cy, x1 - cx, y1 - cy) & squares(x, y, 4) &
+                             ~hidden(x, y, 4, near);
+            unsigned nearer = 0;
             for (; cells != 0; cells &= cells - 1) {
                 const int cell = std::countr_zero(cells);
-                paint(cells_[tile * 16 + cell], x + 4 * (cell & 3), y + 4 * (cell >> 2));
+                nearer |= paint(tile * 16 + cell, x + 4 * (cell & 3), y + 4 * (cell >> 2));
             }
+            if (nearer != 0) bin_.tile_near[tile] = least_lane(Sixteen::load(near));
         }
     }
 
@@ -107,7 +173,9 @@ class Filler {
         return (kind == Kind::turned ? ~inside : ~(outside & inside)) & 0xffff;
     }
 
-    LUCH_INLINE void paint(Cell& cell, int left, int top) const {
+    /// Gives the pixels whose nearest hit it is now.
+    LUCH_INLINE unsigned paint(int number, int left, int top) {
+        Cell& cell = bin_.cells[number];
         const auto x = static_cast<float>(left), y = static_cast<float>(top);
         const Sixteen e0 = edge_[0].at(x, y), e1 = edge_[1].at(x, y), e2 = edge_[2].at(x, y);
         const Sixteen lo = min_or(e0, min_or(e1, e2));
@@ -122,25 +190,28 @@ class Filler {
             if (kind == Kind::crossing) maybe |= ~above & (Sixteen(-1.0f) <= hi);
             if (kind == Kind::turned) maybe = ~above & (Sixteen(-1.0f) <= hi);
         }
-        if (maybe == 0) return;
+        if (maybe == 0) return 0;
         const Sixteen depth = depth_.at(x, y);
         Sixteen hi = depth * (1 + facet_.rho);
         if (maybe != certain) hi = Sixteen::select(certain, hi, in_doubt(depth, inner));
         const unsigned seen = maybe & (Sixteen::load(all_ ? cell.rival : cell.near) <= hi);
-        if (seen == 0) return;
+        if (seen == 0) return 0;
         const Sixteen rival = Sixteen::load(cell.rival), near = Sixteen::load(cell.near),
                       lo_depth = depth * (1 - facet_.rho);
         const unsigned wins = seen & certain & (near < lo_depth);
         if (wins == 0) {
             Sixteen::select(seen, max_or(hi, rival), rival).store(cell.rival);
-            return;
+            return 0;
         }
         const Sixteen near_most = Sixteen::load(cell.near_most);
         const Sixteen other = max_or(Sixteen::select(wins, near_most, hi), rival);
         Sixteen::select(seen, other, rival).store(cell.rival);
-        Sixteen::select(wins, lo_depth, near).store(cell.near);
+        const Sixteen nearest = Sixteen::select(wins, lo_depth, near);
+        nearest.store(cell.near);
+        bin_.cell_near[number] = least_lane(nearest);
         Sixteen::select(wins, hi, near_most).store(cell.near_most);
         Sixteen::select(wins, item_, Sixteen::load(cell.item)).store(cell.item);
+        return wins;
     }
 
     LUCH_INLINE Sixteen in_doubt(const Sixteen& depth, unsigned inner) const {
@@ -151,20 +222,23 @@ class Filler {
 
     const Facet& facet_;
     bool all_;
-    Cell* cells_;
+    Bin& bin_;
     int x_, y_;
     Plane edge_[3], depth_;
+    Ceiling ceiling_;
     float item_;
 };
 
-LUCH_INLINE void clear(Cell* cells) {
+LUCH_INLINE void clear(Bin& bin) {
     const Sixteen zero(0.0f), none(std::bit_cast<float>(no_item));
-    for (int i = 0; i < cells_of_bin; ++i) {
-        zero.store(cells[i].near);
-        zero.store(cells[i].near_most);
-        zero.store(cells[i].rival);
-        none.store(cells[i].item);
+    for (Cell& cell : bin.cells) {
+        zero.store(cell.near);
+        zero.store(cell.near_most);
+        zero.store(cell.rival);
+        none.store(cell.item);
     }
+    std::fill(bin.cell_near, bin.cell_near + cells_of_bin, 0.0f);
+    zero.store(bin.tile_near);
 }
 
 LUCH_INLINE void write(const Cell* cells, float* near, float* second, std::uint32_t* items) {
@@ -183,27 +257,33 @@ LUCH_INLINE void write(const Cell* cells, float* near, float* second, std::uint3
 
 void draw(const Entry* entries, int count, int x, int y, float* near, float* second,
           std::uint32_t* items) {
-    Cell cells[cells_of_bin];
+    if (count == 0) {
+        std::fill(items, items + pixels_of_bin, no_item);
+        if (near != nullptr) std::fill(near, near + pixels_of_bin, 0.0f);
+        if (second != nullptr) std::fill(second, second + pixels_of_bin, 0.0f);
+        return;
+    }
+    Bin bin;
     const bool all = second != nullptr;
-    clear(cells);
+    clear(bin);
     for (int i = 0; i < count; ++i) {
         const Entry& entry = entries[i];
         switch (entry.facet->kind) {
             case Kind::regular:
-                Filler<Kind::regular>(*entry.facet, x, y, all, cells).fill(entry.span);
+                Filler<Kind::regular>(*entry.facet, x, y, all, bin).fill(entry.span);
                 break;
             case Kind::crossing:
-                Filler<Kind::crossing>(*entry.facet, x, y, all, cells).fill(entry.span);
+                Filler<Kind::crossing>(*entry.facet, x, y, all, bin).fill(entry.span);
                 break;
             case Kind::turned:
-                Filler<Kind::turned>(*entry.facet, x, y, all, cells).fill(entry.span);
+                Filler<Kind::turned>(*entry.facet, x, y, all, bin).fill(entry.span);
                 break;
             case Kind::doubtful:
-                Filler<Kind::doubtful>(*entry.facet, x, y, all, cells).fill(entry.span);
+                Filler<Kind::doubtful>(*entry.facet, x, y, all, bin).fill(entry.span);
                 break;
         }
     }
-    write(cells, near, second, items);
+    write(bin.cells, near, second, items);
 }
 
 }  // namespace

@@ -104,9 +104,9 @@ void Frame::draw(const Scene& scene, const Stock& stock, const Kernels& kernels,
     second.resize(with_depths ? pixels : 0);
     look(scene, stock, sight);
     set_up(kernels, workers);
-    std::vector<std::vector<std::vector<Entry>>> bins(static_cast<std::size_t>(workers.count()));
+    bins_.resize(static_cast<std::size_t>(workers.count()));
     workers.for_each(bins_down_, [&](int row, int worker) {
-        auto& own = bins[static_cast<std::size_t>(worker)];
+        auto& own = bins_[static_cast<std::size_t>(worker)];
         own.resize(static_cast<std::size_t>(bins_across_));
         sort_into_row(row, own);
         draw_row(kernels, row, own);
@@ -213,6 +213,9 @@ std::uint64_t Frame::bytes() const {
                         (near.capacity() + second.capacity()) * sizeof(float);
     for (const Batch& batch : batches_) {
         sum += batch.facets.capacity() * sizeof(Facet) + batch.spans.capacity() * sizeof(Span);
+    }
+    for (const auto& row : bins_) {
+        for (const auto& bin : row) sum += bin.capacity() * sizeof(Entry);
     }
     return sum;
 }

@@ -67,9 +67,10 @@ class Frame {
     Size size_;
     int bins_across_ = 0, bins_down_ = 0;
     std::vector<View> views_;
-    std::vector<Batch> batches_;  ///< from near to far
-    std::size_t seen_ = 0;        ///< how many of them are in use
-    Batch marks_;                 ///< what is no triangle
+    std::vector<Batch> batches_;                         ///< from near to far
+    std::size_t seen_ = 0;                               ///< how many of them are in use
+    Batch marks_;                                        ///< what is no triangle
+    std::vector<std::vector<std::vector<Entry>>> bins_;  ///< of a row, for each worker
 };
 
 }  // namespace luch::raster

@@ -123,32 +123,26 @@ RayPacket ItemBuffer::rays(int index) const {
 }
 
 int ItemBuffer::resolve(int tile, const RayPacket& rays, HitPacket& hits) const {
-    std::fill(hits.t, hits.t + RayPacket::capacity, std::numeric_limits<float>::infinity());
-    std::fill(hits.u, hits.u + RayPacket::capacity, 0.0f);
-    std::fill(hits.v, hits.v + RayPacket::capacity, 0.0f);
-    std::fill(hits.node, hits.node + RayPacket::capacity, no_node);
-    std::fill(hits.primitive, hits.primitive + RayPacket::capacity, 0u);
     const std::uint32_t* items = state_->frame.items.data() + state_->items_of(tile);
-    int ambiguous = 0;
-    std::uint32_t lowest = no_item, highest = 0;
-    for (int i = 0; i < RayPacket::capacity; ++i) {
-        ambiguous += static_cast<int>(items[i] >> 31);
-        lowest = std::min(lowest, items[i]);
-        highest = std::max(highest, items[i] < no_item ? items[i] : 0u);
+    const Kernels& kernels = *state_->kernels;
+    const Survey all = kernels.survey(items);
+    if (all.lowest == no_item) {
+        kernels.miss(hits);
+        return all.ambiguous;
     }
-    if (lowest == no_item) return ambiguous;
     const Stock& stock = state_->stock;
-    const Stock::Model* model = &stock.model_of(lowest);
-    for (; model != stock.models.data() + stock.models.size() && model->base <= highest; ++model) {
+    const Stock::Model* first = &stock.model_of(all.lowest);
+    const Stock::Model* end = stock.models.data() + stock.models.size();
+    for (const Stock::Model* model = first; model != end && model->base <= all.highest; ++model) {
         const Target target{model->soup->triangles.data(),
                             model->base,
                             static_cast<std::uint32_t>(model->soup->triangles.size()),
                             model->node,
                             &state_->scene->nodes[model->node].to_object,
                             model->soup->cull_backfaces};
-        state_->kernels->resolve(target, items, rays, hits);
+        kernels.resolve(target, items, rays, model == first, hits);
     }
-    return ambiguous;
+    return all.ambiguous;
 }
 
 void ItemBuffer::trace_ambiguous(int tile, const RayPacket& rays, const Accelerator& accelerator,

@@ -10,7 +10,7 @@ namespace luch::raster {
 #define LUCH_NAME(level) LUCH_NAME_OF(level)
 
 const Kernels& LUCH_NAME(LUCH_LEVEL)() {
-    static constexpr Kernels all{set_up, draw, resolve};
+    static constexpr Kernels all{set_up, draw, survey, miss, resolve};
     return all;
 }
 

@@ -17,6 +17,12 @@ struct Target {
     bool cull_backfaces;
 };
 
+/// How many items are ambiguous; the lowest and highest of the others, or no_item and 0.
+struct Survey {
+    int ambiguous;
+    std::uint32_t lowest, highest;
+};
+
 /// The stages, compiled for one level of the processor. All levels give the same bits.
 struct Kernels {
     /// Sets up `count` blocks for a frame; writes the entries' facets and spans (room for
@@ -27,9 +33,13 @@ struct Kernels {
     /// by cell. The spans count from the bin's first pixel.
     void (*draw)(const Entry* entries, int count, int x, int y, float* near, float* second,
                  std::uint32_t* items);
+    /// What the 256 items of a tile are.
+    Survey (*survey)(const std::uint32_t* items);
+    /// Hit{} for a whole tile.
+    void (*miss)(HitPacket& hits);
     /// The hits of a tile's 256 rays with the triangles that `items` name; those that name none of
-    /// this target's are left alone.
-    void (*resolve)(const Target&, const std::uint32_t* items, const RayPacket& rays,
+    /// this target's become Hit{} if `fresh`, else they are left alone.
+    void (*resolve)(const Target&, const std::uint32_t* items, const RayPacket& rays, bool fresh,
                     HitPacket& hits);
 };
 

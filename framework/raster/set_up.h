@@ -282,6 +282,34 @@ LUCH_INLINE void set_spans(const View& view, const Corners& corners, Drafts& dra
     drafts.seen &= ~(drafts.regular & empty);
 }
 
+/// Small regular triangles of which every pixel of the span is a miss: they lie between the points
+/// that are looked at.
+LUCH_INLINE unsigned between_pixels(const Drafts& drafts) {
+    constexpr int most_across = 4;
+    const auto last = [&](int axis) {
+        return Sixteen::load(drafts.span[2 + axis]) - Sixteen::load(drafts.span[axis]);
+    };
+    const Sixteen last_x = last(0), last_y = last(1);
+    const auto least_edge = [&](int x, int y) {
+        Sixteen at[3];
+        for (int k = 0; k < 3; ++k) {
+            const auto& edge = drafts.edge[k];
+            at[k] = Sixteen::load(edge[0]) + (Sixteen::load(edge[1]) * static_cast<float>(x) +
+                                              Sixteen::load(edge[2]) * static_cast<float>(y));
+        }
+        return least(at);
+    };
+    unsigned missed = drafts.seen & drafts.regular &
+                      (max_or(last_x, last_y) < Sixteen(static_cast<float>(most_across)));
+    for (int i = 0; i < most_across * most_across && missed != 0; ++i) {
+        const int x = i % most_across, y = i / most_across;
+        const unsigned within =
+            (Sixteen(static_cast<float>(x)) <= last_x) & (Sixteen(static_cast<float>(y)) <= last_y);
+        missed &= ~within | (least_edge(x, y) < Sixteen(-1.0f));
+    }
+    return missed;
+}
+
 LUCH_INLINE void place(const View& view, const Shape& shape, Drafts& drafts) {
     const Corners corners(view, shape);
     drafts.regular = regular_ones(view, shape, corners);
@@ -296,6 +324,8 @@ LUCH_INLINE void place(const View& view, const Shape& shape, Drafts& drafts) {
     const Sixteen bounds[3] = {shape.bound(0, unit, view.sum), shape.bound(1, unit, view.sum),
                                shape.bound(2, unit, view.sum)};
     set_edges(view, shape, bounds, drafts);
+    drafts.seen &= ~between_pixels(drafts);
+    if (drafts.seen == 0) return;
     const Sixteen rho = shape.rho(corners.farthest, set_depths(view, away, drafts));
     const unsigned good = shape.agree & (rho <= Sixteen(most_rho));
     Sixteen::select(good, rho, infinite).store(drafts.rho);

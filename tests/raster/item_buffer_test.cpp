@@ -50,6 +50,33 @@ TEST(ItemBuffer, ShowsTransformsOfAnyScale) {
     }
 }
 
+TEST(ItemBuffer, ShowsTheNearestOfManyWallsDrawnFromFarToNear) {
+    std::vector<Vec3d> points;
+    std::vector<std::uint32_t> indices;
+    for (std::uint32_t i = 0; i < 24; ++i) {  // drawn from low to high z
+        const double z = -4 + 0.05 * i;
+        points.insert(points.end(), {{-4 + 0.1 * i, -4, z}, {0, 4 - 0.2 * i, z}, {4, -4, z}});
+        indices.insert(indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    Scene scene = testing::empty_scene();
+    testing::add_shape(scene, testing::mesh_of(points, indices), Transform::scaling({1, 1, -1}));
+    const Screen screen(scene.camera, {64, 48});
+    const auto accelerator = build_accelerator(scene);
+    WorkCounts work;
+    ItemBuffer buffer(scene);
+    buffer.draw(screen, Vec2d(0.5), Workers(1));  // with depths, nothing is skipped as hidden
+    int wrong = 0;
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const Item item = buffer.item(x, y);
+            const Hit hit = accelerator->closest(screen.ray(x + 0.5, y + 0.5), work);
+            if (item.ambiguous) continue;
+            wrong += item.node == hit.node && (!hit || item.triangle == hit.primitive) ? 0 : 1;
+        }
+    }
+    EXPECT_EQ(wrong, 0);
+}
+
 TEST(ItemBuffer, LeavesTiesToTheRay) {
     Scene scene = testing::empty_scene();
     const Mesh mesh = testing::triangle({-1, -1, 3}, {0, 1, 3}, {1, -1, 3});
