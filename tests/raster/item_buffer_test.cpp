@@ -50,31 +50,37 @@ TEST(ItemBuffer, ShowsTransformsOfAnyScale) {
     }
 }
 
-TEST(ItemBuffer, ShowsTheNearestOfManyWallsDrawnFromFarToNear) {
+TEST(ItemBuffer, ShowsWallsThatStandBeforeWhatWasDrawnFirst) {
+    // A ramp that begins nearer than all walls, so it is drawn first, and walls before its far end.
+    const Mesh ramp = testing::mesh_of({{-100, -1, 1}, {100, -1, 1}, {0, 60, 60}}, {0, 1, 2});
     std::vector<Vec3d> points;
     std::vector<std::uint32_t> indices;
-    for (std::uint32_t i = 0; i < 24; ++i) {  // drawn from low to high z
-        const double z = -4 + 0.05 * i;
-        points.insert(points.end(), {{-4 + 0.1 * i, -4, z}, {0, 4 - 0.2 * i, z}, {4, -4, z}});
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        const double slope = 0.02 * i - 0.1, z = 0.85 * 2.034 / (1.034 - slope);
+        const double x = (0.1 * (i % 9) - 0.4) * z, y = slope * z, half = 0.12 * z;
+        points.insert(points.end(), {{x - half, y, z}, {x, y + half, z}, {x + half, y, z}});
         indices.insert(indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
     }
     Scene scene = testing::empty_scene();
-    testing::add_shape(scene, testing::mesh_of(points, indices), Transform::scaling({1, 1, -1}));
+    testing::add_shape(scene, ramp);
+    testing::add_shape(scene, testing::mesh_of(points, indices));
     const Screen screen(scene.camera, {64, 48});
     const auto accelerator = build_accelerator(scene);
     WorkCounts work;
     ItemBuffer buffer(scene);
     buffer.draw(screen, Vec2d(0.5), Workers(1));  // with depths, nothing is skipped as hidden
-    int wrong = 0;
+    int wrong = 0, walls = 0;
     for (int y = 0; y < 48; ++y) {
         for (int x = 0; x < 64; ++x) {
             const Item item = buffer.item(x, y);
             const Hit hit = accelerator->closest(screen.ray(x + 0.5, y + 0.5), work);
             if (item.ambiguous) continue;
             wrong += item.node == hit.node && (!hit || item.triangle == hit.primitive) ? 0 : 1;
+            walls += hit.node == 1 ? 1 : 0;
         }
     }
     EXPECT_EQ(wrong, 0);
+    EXPECT_GT(walls, 300);
 }
 
 TEST(ItemBuffer, LeavesTiesToTheRay) {
