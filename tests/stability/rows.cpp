@@ -26,6 +26,7 @@ const std::vector<Row>& rows() {
         {"9DegenerateMeshes", degenerate_meshes, 0.02, true},
         {"10ExtremeRays", extreme_rays, 0.1, true},
         {"10RaysWithoutDenormals", rays_without_denormals, 0.01, true},
+        {"10RaysAlongAxes", rays_along_axes, 0.05, true},
     };
     return all;
 }
