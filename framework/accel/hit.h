@@ -10,7 +10,13 @@
 // it may keep too much, it never loses a candidate. closest_brute() in accelerator.h is the oracle.
 namespace luch {
 
-/// A ray in the frame of a mesh, rounded to float once. All paths make it with object_ray().
+/// ±0 for a denormal number, which some processors are told to take for that.
+[[nodiscard]] inline float normal_or_zero(float x) {
+    return std::abs(x) < std::numeric_limits<float>::min() ? std::copysign(0.0f, x) : x;
+}
+
+/// A ray in the frame of a mesh, rounded to float once, without denormal numbers in origin and
+/// direction. All paths make it with object_ray().
 struct ObjectRay {
     Vec3 origin;
     Vec3 direction;
