@@ -80,8 +80,8 @@ ObjectRay object_ray(const Ray& ray) {
         object.origin[axis] = normal_or_zero(object.origin[axis]);
         object.direction[axis] = normal_or_zero(object.direction[axis]);
         const float inverse = 1 / object.direction[axis];
-        const bool normal = std::abs(inverse) >= std::numeric_limits<float>::min();
-        object.inverse[axis] = normal ? inverse : std::copysign(0.0f, object.direction[axis]);
+        object.inverse[axis] =
+            std::abs(inverse) >= 0x1p-100f ? inverse : std::copysign(0.0f, object.direction[axis]);
     }
     return object;
 }

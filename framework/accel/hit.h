@@ -20,13 +20,13 @@ namespace luch {
 struct ObjectRay {
     Vec3 origin;
     Vec3 direction;
-    Vec3 inverse;  ///< 1/direction, by components; ±infinity where that is ±0, ±0 above 2¹²⁶
+    Vec3 inverse;  ///< 1/direction, by components; ±infinity where that is ±0, ±0 above 2¹⁰⁰
     float t_min;
     float t_max;
 };
 
 /// `ray` must already be in the mesh's frame (Node::to_object), in double. With a component of the
-/// direction above 2¹²⁶ it misses all meshes: its inverse would be a denormal number, which some
+/// direction above 2¹⁰⁰ it misses all meshes: its t would be near to denormal numbers, which some
 /// processors are told to take for 0.
 ObjectRay object_ray(const Ray& ray);
 
