@@ -24,10 +24,29 @@ const mix::Kernels& kernels(Isa isa) {
     return mix::kernels_plain();
 }
 
-/// Two pictures and a place for their mean. T holds `channels` of a pixel's or several pixels'.
+/// Numbers that begin where a line of the cache does, or some vectors would lie in two.
+template <class T>
+class Aligned {
+ public:
+    explicit Aligned(std::size_t n) : lines_((n * sizeof(T) + 63) / 64), size_(n) {}
+    [[nodiscard]] T* data() { return reinterpret_cast<T*>(lines_.data()); }
+    [[nodiscard]] const T* data() const { return reinterpret_cast<const T*>(lines_.data()); }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] T& operator[](std::size_t i) { return data()[i]; }
+    [[nodiscard]] const T& operator[](std::size_t i) const { return data()[i]; }
+
+ private:
+    struct alignas(64) Line {
+        unsigned char bytes[64];
+    };
+    std::vector<Line> lines_;
+    std::size_t size_;
+};
+
+/// Two pictures and a place for their mean. A value is a channel, or several packed into one.
 template <class T>
 struct Pictures {
-    std::vector<T> a, b, mean;
+    Aligned<T> a, b, mean;
     explicit Pictures(std::size_t n) : a(n), b(n), mean(n) {}
 };
 
@@ -71,7 +90,7 @@ double error_of(const Pictures<float>& pictures) {
 
 template <class T>
 double error_of(const Pictures<T>& pictures) {
-    const auto bytes_of = [](const std::vector<T>& values) {
+    const auto bytes_of = [](const Aligned<T>& values) {
         return reinterpret_cast<const unsigned char*>(values.data());
     };
     const auto *a = bytes_of(pictures.a), *b = bytes_of(pictures.b), *m = bytes_of(pictures.mean);
