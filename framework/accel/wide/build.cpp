@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 
 namespace luch::wide {
 namespace {
@@ -30,46 +31,49 @@ struct Binary {
 
 class Builder {
  public:
-    Builder(const Mesh& mesh, Isa isa)
-        : mesh_(mesh),
-          kernels_(kernels(isa)),
-          count_(static_cast<std::uint32_t>(mesh.triangles.size())),
+    /// At most `leaf_size` things to a leaf.
+    Builder(std::size_t count, std::uint32_t leaf_size, Isa isa)
+        : kernels_(kernels(isa)),
+          count_(static_cast<std::uint32_t>(count)),
+          leaf_size_(leaf_size),
           refs_(new Ref[count_]),
           nodes_(new Binary[2 * static_cast<std::size_t>(count_)]) {}
 
-    Tree build() {
-        tree_.cull_backfaces = mesh_.cull_backfaces;
-        tree_.nodes.reserve(count_ / 8 + 1);
-        tree_.blocks.reserve(count_ / 3 + 1);
-        tree_.nodes.emplace_back();
-        fill_refs();
+    /// box_of(i): of a thing; add_leaf(refs): the number of a leaf with these.
+    template <class BoxOf, class AddLeaf>
+    std::vector<Node> build(BoxOf&& box_of, AddLeaf&& add_leaf) {
+        wide_.reserve(count_ / 8 + 1);
+        wide_.emplace_back();
+        for (std::uint32_t i = 0; i < count_; ++i) {
+            const Box box = box_of(i);
+            refs_[i] = {{box.lo.x, box.lo.y, box.lo.z}, i, {box.hi.x, box.hi.y, box.hi.z}, 0};
+        }
         if (count_ > 0) {
             const Range all = kernels_.range_of(refs_.get(), count_);
             divide(all, 0, 0);
-            for (int axis = 0; axis < 3; ++axis) {
-                tree_.extent = std::max({tree_.extent, std::abs(all.box.lo[axis]),
-                                         std::abs(all.box.hi[axis])});
-            }
         }
-        emit();
-        return std::move(tree_);
+        emit(add_leaf);
+        return std::move(wide_);
+    }
+
+    /// The largest |bound|.
+    [[nodiscard]] float extent() const {
+        float most = 0;
+        for (int axis = 0; axis < 3 && count_ > 0; ++axis) {
+            const Corners& box = nodes_[0].box;
+            most = std::max({most, std::abs(box.lo[axis]), std::abs(box.hi[axis])});
+        }
+        return most;
     }
 
  private:
-    void fill_refs() {
-        for (std::uint32_t i = 0; i < count_; ++i) {
-            const Box box = mesh_.box(i);
-            refs_[i] = {{box.lo.x, box.lo.y, box.lo.z}, i, {box.hi.x, box.hi.y, box.hi.z}, 0};
-        }
-    }
-
     void divide(const Range& range, std::uint32_t index, int depth) {
         Binary& node = nodes_[index];
         node.box = range.box;
         node.first = range.first;
         node.count = range.count;
         node.right = 0;
-        if (range.count <= block_width) {
+        if (range.count <= leaf_size_) {
             node.cost.fill(half_area(range.box));
             return;
         }
@@ -129,7 +133,8 @@ class Builder {
         gather(node.right, places - node.left_share[places], children);
     }
 
-    void emit() {
+    template <class AddLeaf>
+    void emit(AddLeaf&& add_leaf) {
         struct Task {
             std::uint32_t binary, wide;
         };
@@ -149,15 +154,15 @@ class Builder {
                 const Binary& child = nodes_[children.node[i]];
                 set_box(node, i, child.box);
                 if (child.right == 0) {
-                    node.child[i] = leaf_bit | static_cast<std::uint32_t>(tree_.blocks.size());
-                    add_block(child);
+                    node.child[i] =
+                        leaf_bit | add_leaf(std::span(&refs_[child.first], child.count));
                 } else {
-                    node.child[i] = static_cast<std::uint32_t>(tree_.nodes.size());
-                    tree_.nodes.emplace_back();
+                    node.child[i] = static_cast<std::uint32_t>(wide_.size());
+                    wide_.emplace_back();
                     tasks.push_back({children.node[i], node.child[i]});
                 }
             }
-            tree_.nodes[task.wide] = node;
+            wide_[task.wide] = node;
         }
     }
 
@@ -174,36 +179,53 @@ class Builder {
         }
     }
 
-    void add_block(const Binary& leaf) {
-        Block& block = tree_.blocks.emplace_back();
-        for (std::uint32_t lane = 0; lane < block_width; ++lane) {
-            block.id[lane] = refs_[leaf.first + std::min(lane, leaf.count - 1)].id;
-            block.edge[lane] = 0;
-            for (int k = 0; k < 3; ++k) {
-                const Vec3& corner = mesh_.corner(block.id[lane], k);
-                const Vec3 edge = glm::abs(mesh_.corner(block.id[lane], (k + 1) % 3) - corner);
-                // Arguments in this order leave out NaN.
-                block.edge[lane] =
-                    std::max(std::max(std::max(block.edge[lane], edge.x), edge.y), edge.z);
-                for (int axis = 0; axis < 3; ++axis) {
-                    block.corner[3 * k + axis][lane] = corner[axis];
-                }
-            }
-        }
-    }
-
-    const Mesh& mesh_;
     const Kernels& kernels_;
-    std::uint32_t count_;
+    std::uint32_t count_, leaf_size_;
     std::unique_ptr<Ref[]> refs_;
     std::unique_ptr<Binary[]> nodes_;
-    Tree tree_;
+    std::vector<Node> wide_;
 };
+
+Block block_of(const Mesh& mesh, std::span<const Ref> refs) {
+    Block block{};
+    for (std::size_t lane = 0; lane < block_width; ++lane) {
+        block.id[lane] = refs[std::min(lane, refs.size() - 1)].id;
+        block.edge[lane] = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3& corner = mesh.corner(block.id[lane], k);
+            const Vec3 edge = glm::abs(mesh.corner(block.id[lane], (k + 1) % 3) - corner);
+            // Arguments in this order leave out NaN.
+            block.edge[lane] =
+                std::max(std::max(std::max(block.edge[lane], edge.x), edge.y), edge.z);
+            for (int axis = 0; axis < 3; ++axis) block.corner[3 * k + axis][lane] = corner[axis];
+        }
+    }
+    return block;
+}
 
 }  // namespace
 
 Tree built(const Mesh& mesh, Isa isa) {
-    return Builder(mesh, isa).build();
+    Tree tree;
+    tree.cull_backfaces = mesh.cull_backfaces;
+    tree.blocks.reserve(mesh.triangles.size() / 3 + 1);
+    Builder builder(mesh.triangles.size(), block_width, isa);
+    tree.nodes = builder.build([&](std::uint32_t i) { return mesh.box(i); },
+                               [&](std::span<const Ref> refs) {
+                                   tree.blocks.push_back(block_of(mesh, refs));
+                                   return static_cast<std::uint32_t>(tree.blocks.size() - 1);
+                               });
+    tree.extent = builder.extent();
+    return tree;
+}
+
+Tree built(std::span<const Box> boxes, Isa isa) {
+    Tree tree;
+    Builder builder(boxes.size(), 1, isa);
+    tree.nodes = builder.build([&](std::uint32_t i) { return boxes[i]; },
+                               [](std::span<const Ref> refs) { return refs[0].id; });
+    tree.extent = builder.extent();
+    return tree;
 }
 
 }  // namespace luch::wide

@@ -116,7 +116,7 @@ void occluded_packet(const Tree& tree, const Transform& to_object, const RayPack
 #define LUCH_NAME(level) LUCH_NAME_OF(level)
 
 const Kernels& LUCH_NAME(LUCH_LEVEL)() {
-    static constexpr Kernels all{closest,         occluded, closest_packet,
+    static constexpr Kernels all{closest,         occluded, walk,       closest_packet,
                                  occluded_packet, range_of, split_range};
     return all;
 }

@@ -17,7 +17,12 @@ struct Kernels {
     bool (*closest)(const Tree&, const ObjectRay&, NodeId node, Hit& best, WorkCounts&);
     /// Whether any triangle is hit.
     bool (*occluded)(const Tree&, const ObjectRay&, WorkCounts&);
-    /// The same for the rays of a packet in world space, which `to_object` leads to the tree. In:
+    /// Calls leaf(context, number) for the leaves of a tree over boxes that a ray may meet before
+    /// `limit`, near to far. It returns the limit from then on; −∞ ends the search. Boxes count as
+    /// met within `slack` · (Σ|origin| + extent).
+    void (*walk)(const Tree&, const ObjectRay&, float limit, float slack,
+                 float (*leaf)(void* context, std::uint32_t number), void* context, WorkCounts&);
+    /// closest() for the rays of a packet in world space, which `to_object` leads to the tree. In:
     /// hits.t is the limit of each ray, −∞ for those that look for nothing.
     void (*closest_packet)(const Tree&, const Transform& to_object, const RayPacket&, NodeId node,
                            HitPacket& hits, WorkCounts&);

@@ -154,8 +154,9 @@ class BlockTest {
 /// by 2²⁰ · r / Σ|d|, comes after it.
 class NodeTest {
  public:
-    NodeTest(const ObjectRay& ray, float extent) : t_min_(ray.t_min) {
-        const float reach = 0x1p-20f * (sum_of_sizes(ray.origin) + extent);
+    NodeTest(const ObjectRay& ray, float extent, float relative_slack = 0x1p-20f)
+        : t_min_(ray.t_min) {
+        const float reach = relative_slack * (sum_of_sizes(ray.origin) + extent);
         const float steepest =
             sum_of_sizes(ray.inverse) < infinite ? infinite : 0x1p40f / sum_of_sizes(ray.direction);
         for (int axis = 0; axis < 3; ++axis) {
@@ -219,47 +220,59 @@ LUCH_INLINE std::uint32_t push_sorted(const Node& node, unsigned mask, const Eig
     return first.child;
 }
 
-LUCH_INLINE void count(std::uint32_t nodes, std::uint32_t blocks, WorkCounts& work) {
-    work.boxes += std::uint64_t{nodes} * node_width;
-    work.primitives += std::uint64_t{blocks} * block_width;
-}
-
-/// Improves best, or stops at anything that does.
-template <bool any>
-bool search(const Tree& tree, const ObjectRay& ray, NodeId node_id, Hit& best, WorkCounts& work) {
-    const NodeTest test_node(ray, tree.extent);
-    const BlockTest test_block(ray, node_id, tree.cull_backfaces);
-    Search found{best, {}};
+/// Visits the leaves that a ray may meet before `limit`, near to far; leaf(number) returns the
+/// limit from then on, −∞ to end it. Returns how many nodes were opened.
+template <class Leaf>
+LUCH_INLINE std::uint32_t visit_leaves(const Tree& tree, const NodeTest& test_node, float limit,
+                                       Leaf&& leaf) {
     Entry stack[max_depth * (node_width - 1) + 1];
     int size = 0;
-    std::uint32_t child = 0, nodes = 0, blocks = 0;
-    bool improved = false;
+    std::uint32_t child = 0, nodes = 0;
     for (;;) {
         while ((child & leaf_bit) == 0) {
             const Node& node = tree.nodes[child];
             ++nodes;
             Eight in;
-            const unsigned mask = test_node(node, best.t, in);
+            const unsigned mask = test_node(node, limit, in);
             if (mask == 0) break;
             child = push_sorted(node, mask, in, stack, size);
         }
-        if ((child & leaf_bit) != 0) {
-            ++blocks;
-            improved |= test_block(tree.blocks[child & ~leaf_bit], found);
-            if (any && improved) break;
-        }
+        if ((child & leaf_bit) != 0) limit = leaf(child & ~leaf_bit);
         do {
-            --size;
-        } while (size >= 0 && !(stack[size].near <= best.t));
-        if (size < 0) break;
+            if (--size < 0) return nodes;
+        } while (!(stack[size].near <= limit));
         child = stack[size].child;
     }
-    count(nodes, blocks, work);
+}
+
+/// Improves best, or stops at anything that does.
+template <bool any>
+bool search(const Tree& tree, const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) {
+    const BlockTest test_block(ray, node, tree.cull_backfaces);
+    Search found{best, {}};
+    std::uint32_t blocks = 0;
+    bool improved = false;
+    const std::uint32_t nodes =
+        visit_leaves(tree, NodeTest(ray, tree.extent), best.t, [&](std::uint32_t block) {
+            ++blocks;
+            improved |= test_block(tree.blocks[block], found);
+            return any && improved ? -infinite : best.t;
+        });
+    work.boxes += std::uint64_t{nodes} * node_width;
+    work.primitives += std::uint64_t{blocks} * block_width;
     if (any || !improved) return improved;
     const Barycentric at = barycentric(found.weights[0], found.weights[1], found.weights[2]);
     best.u = at.u;
     best.v = at.v;
     return true;
+}
+
+void walk(const Tree& tree, const ObjectRay& ray, float limit, float slack,
+          float (*leaf)(void* context, std::uint32_t number), void* context, WorkCounts& work) {
+    const std::uint32_t nodes =
+        visit_leaves(tree, NodeTest(ray, tree.extent, slack), limit,
+                     [&](std::uint32_t number) { return leaf(context, number); });
+    work.boxes += std::uint64_t{nodes} * node_width;
 }
 
 bool closest(const Tree& tree, const ObjectRay& ray, NodeId node, Hit& best, WorkCounts& work) {

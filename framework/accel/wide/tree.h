@@ -8,7 +8,8 @@
 // The tree that rays walk: eight boxes a node, four triangles a leaf, both one structure of arrays.
 namespace luch::wide {
 
-/// A child is a node's index, or with leaf_bit the index of a block of triangles.
+/// A child is a node's index, or with leaf_bit the index of a block of triangles, or what else a
+/// leaf stands for.
 inline constexpr std::uint32_t leaf_bit = 0x80000000u;
 inline constexpr int node_width = 8;
 inline constexpr int block_width = 4;
@@ -44,7 +45,7 @@ struct alignas(64) Block {
     }
 };
 
-/// Root: node 0, which always exists.
+/// Root: node 0, which always exists. Trees over boxes have no blocks.
 struct Tree {
     std::vector<Node> nodes;
     std::vector<Block> blocks;
