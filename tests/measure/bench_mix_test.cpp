@@ -1,4 +1,5 @@
 #include "framework/measure/bench_mix.h"
+
 #include "tests/testing/shell.h"
 
 #include <gtest/gtest.h>
