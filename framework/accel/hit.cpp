@@ -75,13 +75,15 @@ float edge_value(const Vec3& a, const Vec3& b, const Vec3& d) {
 }  // namespace
 
 ObjectRay object_ray(const Ray& ray) {
-    const Vec3 direction(ray.direction);
-    Vec3 inverse = 1.0f / direction;
+    ObjectRay object{Vec3(ray.origin), Vec3(ray.direction), {}, least_t(ray.t_min), ray.t_max};
     for (int axis = 0; axis < 3; ++axis) {
-        const bool normal = std::abs(inverse[axis]) >= std::numeric_limits<float>::min();
-        if (!normal) inverse[axis] = std::copysign(0.0f, direction[axis]);
+        object.origin[axis] = normal_or_zero(object.origin[axis]);
+        object.direction[axis] = normal_or_zero(object.direction[axis]);
+        const float inverse = 1 / object.direction[axis];
+        object.inverse[axis] =
+            std::abs(inverse) >= 0x1p-100f ? inverse : std::copysign(0.0f, object.direction[axis]);
     }
-    return {Vec3(ray.origin), direction, inverse, least_t(ray.t_min), ray.t_max};
+    return object;
 }
 
 int edge_sign(const Vec3& a, const Vec3& b, const Vec3& d) {

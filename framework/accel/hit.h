@@ -10,17 +10,23 @@
 // it may keep too much, it never loses a candidate. closest_brute() in accelerator.h is the oracle.
 namespace luch {
 
-/// A ray in the frame of a mesh, rounded to float once. All paths make it with object_ray().
+/// ±0 for a denormal number, which some processors are told to take for that.
+[[nodiscard]] inline float normal_or_zero(float x) {
+    return std::abs(x) < std::numeric_limits<float>::min() ? std::copysign(0.0f, x) : x;
+}
+
+/// A ray in the frame of a mesh, rounded to float once, without denormal numbers in origin and
+/// direction. All paths make it with object_ray().
 struct ObjectRay {
     Vec3 origin;
     Vec3 direction;
-    Vec3 inverse;  ///< 1/direction, by components; ±infinity where that is ±0, ±0 above 2¹²⁶
+    Vec3 inverse;  ///< 1/direction, by components; ±infinity where that is ±0, ±0 above 2¹⁰⁰
     float t_min;
     float t_max;
 };
 
 /// `ray` must already be in the mesh's frame (Node::to_object), in double. With a component of the
-/// direction above 2¹²⁶ it misses all meshes: its inverse would be a denormal number, which some
+/// direction above 2¹⁰⁰ it misses all meshes: its t would be near to denormal numbers, which some
 /// processors are told to take for 0.
 ObjectRay object_ray(const Ray& ray);
 

@@ -20,8 +20,8 @@ class CliArguments final : public Arguments {
         app_.add_option(name, value, help)->required(required)->type_name("");
     }
     void positional(const std::string& name, std::vector<std::string>& values,
-                    const std::string& help) override {
-        app_.add_option(name, values, help)->required()->type_name("");
+                    const std::string& help, bool required) override {
+        app_.add_option(name, values, help)->required(required)->type_name("");
     }
     void option(const std::string& name, std::string& value, const std::string& placeholder,
                 const std::string& help) override {

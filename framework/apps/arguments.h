@@ -19,7 +19,7 @@ class Arguments {
     virtual void positional(const std::string& name, std::string& value, const std::string& help,
                             bool required = true) = 0;
     virtual void positional(const std::string& name, std::vector<std::string>& values,
-                            const std::string& help) = 0;
+                            const std::string& help, bool required = true) = 0;
     /// `name` is "-o,--output" or "--size"; `placeholder` is shown in the help: WxH.
     virtual void option(const std::string& name, std::string& value, const std::string& placeholder,
                         const std::string& help) = 0;

@@ -44,7 +44,7 @@ void Bsdf::add(const Scene& scene, const Material& material, const Vec3d& weight
         add_lobe({.kind = Lobe::highlight, .weight = weight * share, .shape = phong->exponent});
     } else if (const auto* mirror = std::get_if<Reflection>(&material)) {
         const bool sharp = mirror->glossiness >= 1;
-        add_lobe({.kind = sharp ? Lobe::mirror : Lobe::blurred,
+        add_lobe({.kind = sharp ? Lobe::mirror : Lobe::glossy,
                   .weight = weight * Vec3d(mirror->multiplier),
                   .shape = std::pow(10.0, 2 - 8 * mirror->glossiness)});
     } else if (const auto* clear = std::get_if<Refraction>(&material)) {
@@ -143,7 +143,7 @@ std::optional<Bounce> Bsdf::passed(const Lobe& lobe, const Draw& draw) const {
     if (lobe.kind == Lobe::mirror) {
         bounce.kind = RayKind::reflection;
         bounce.direction = mirrored(direction_, surface_->normal);
-    } else if (lobe.kind == Lobe::blurred) {
+    } else if (lobe.kind == Lobe::glossy) {
         bounce.kind = RayKind::glossy;
         bounce.direction = blurred(lobe.shape, draw);
     } else {

@@ -74,10 +74,10 @@ class Bsdf {
 
  private:
     struct Lobe {
-        enum Kind { diffuse, highlight, mirror, blurred, clear };
+        enum Kind { diffuse, highlight, mirror, glossy, clear };
         Kind kind;
         Vec3d weight;
-        double shape = 0;  ///< highlight: the exponent; blurred: the radius of the jitter
+        double shape = 0;  ///< highlight: the exponent; glossy: the radius of the jitter
         const Refraction* clear_material = nullptr;
         double chance = 0;
     };

@@ -116,6 +116,52 @@ TEST_F(Bench, RunsWhatItIsAskedForAndNoMore) {
     EXPECT_EQ(text_at(meshes.at(1).member("kinds")->at(0), "kind"), "shadow");
 }
 
+TEST_F(Bench, MixesTwoFramesInEveryRepresentationWithinHalfALevel) {
+    const Ran ran = bench("mix --width 130 --height 70 --rounds 1 --json speeds.json");
+    ASSERT_EQ(ran.status, 0) << ran.text;
+    const JsonDocument document = written();
+    EXPECT_EQ(number_at(document.root(), "width"), 130);
+    const JsonValue modes = document.root().member("modes").value();
+    ASSERT_EQ(modes.size(), 7u);
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        const JsonValue mode = modes.at(i);
+        const bool floats = text_at(mode, "mode").starts_with("float");
+        EXPECT_EQ(number_at(mode, "bytes_per_pixel"), floats ? 36 : 12);
+        EXPECT_GT(number_at(mode, "frame_ns_per_pixel"), 0);
+        EXPECT_GT(number_at(mode, "tile_ns_per_pixel"), 0);
+        // Half of the sums of two bytes are odd.
+        EXPECT_NEAR(number_at(mode, "worst_error"), floats ? 0 : 0.5, 1e-4) << i;
+    }
+    EXPECT_EQ(number_at(modes.at(0), "frame_ratio"), 1);
+}
+
+TEST_F(Bench, RacesWholeFramesOfEveryBackEndOnOneThreadAndAll) {
+    const Ran ran = bench("frame '" LUCH_SOURCE_DIR
+                          "/scenes/spheres/spheres.scene' --width 80 --height 60 --rounds 1 "
+                          "--json speeds.json");
+    ASSERT_EQ(ran.status, 0) << ran.text;
+    const JsonDocument document = written();
+    const JsonValue scene = document.root().member("scenes")->at(0);
+    EXPECT_EQ(number_at(scene, "width"), 80);
+    EXPECT_EQ(number_at(scene, "height"), 60);
+    const JsonValue frames = scene.member("frames").value();
+    ASSERT_EQ(frames.size(), has_embree() ? 4u : 2u);
+    const JsonValue rays = frames.at(0).member("rays").value();
+    EXPECT_GE(number_at(rays, "primary"), 80 * 60);
+    EXPECT_GT(number_at(rays, "shadow"), 0);
+    EXPECT_GE(number_at(frames.at(0), "shades"), 1000);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const JsonValue frame = frames.at(i);
+        EXPECT_EQ(text_at(frame, "backend"), i < 2 ? "luch" : "embree");
+        if (i % 2 == 0) {
+            EXPECT_EQ(number_at(frame, "threads"), 1);
+        }
+        EXPECT_GT(number_at(frame, "cpu_ms"), 0);
+        EXPECT_EQ(number_at(frame, "different_pixels"), 0) << i;
+        EXPECT_EQ(number_at(frame.member("rays").value(), "primary"), number_at(rays, "primary"));
+    }
+}
+
 TEST_F(Bench, EndsWithTwoAndAWordForWhatItCannotDo) {
     const std::pair<const char*, const char*> mistakes[] = {
         {"arrays pyramids.obj", "bench arrays: "},
@@ -130,6 +176,11 @@ TEST_F(Bench, EndsWithTwoAndAWordForWhatItCannotDo) {
         {"rays pyramids.obj --threads 5000", "--threads 5000: give 0 to 1024"},
         {"rays pyramids.obj --scale 3", "--scale 3: give a power of two"},
         {"rays pyramids.obj --scale -1", "--scale -1: give a power of two"},
+        {"rays", "bench rays: give meshes: .obj files, or bumpy"},
+        {"raster pyramids.obj --width 0", "--width 0: give 1 to 8192"},
+        {"mix pyramids.obj", "bench mix: it needs no pyramids.obj; leave that out"},
+        {"frame", "bench frame: give scene files"},
+        {"frame nothing.scene", "nothing.scene"},
         {"rays pyramids.obj --view 1,2,3", "--view 1,2,3: give nine numbers"},
     };
     for (const auto& [arguments, words] : mistakes) {

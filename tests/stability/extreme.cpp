@@ -22,6 +22,46 @@ double extreme_number(Key key) {
     return numbers[key.bits(0) % std::size(numbers)];
 }
 
+/// One or more of everything, and two spheres of many.
+Scene everything() {
+    Scene scene = testing::bit_of_everything();
+    scene.nodes.erase(scene.nodes.begin(), scene.nodes.begin() + 58);
+    return scene;
+}
+
+/// A point in a node's box; often at whole numbers there, where a heightfield has its corners.
+Vec3d point_within(const Scene& scene, const Node& node, Key key) {
+    const Boxd box = bounds_of(scene.geometries[node.geometry]);
+    Vec3d point;
+    for (int k = 0; k < 3; ++k) {
+        const double lo = std::max(box.lo[k], -20.0), hi = std::min(box.hi[k], 20.0);
+        point[k] = lo + key.uniform(k) * (hi - lo);
+        if (key.bits(k + 3) % 4 == 0) point[k] = std::round(point[k]);
+    }
+    return node.to_world.point(point);
+}
+
+/// Rays through one point of the scene that run along an axis, or are next to nothing off it, up or
+/// down, from places that are next to nothing off the point; some of them at the speed at which the
+/// times of hits become denormal.
+RayPacket packet_along_axis(const Scene& scene, int count, Key key) {
+    constexpr double tiny[] = {0.0, -0.0, 5e-324, -1e-310, 1e-308, -1e-300, 1e-160, -1e-45, 1e-39};
+    const auto next_to_nothing = [&](Key own) { return tiny[own.bits(0) % std::size(tiny)]; };
+    const int axis = static_cast<int>(key.bits(0) % 3);
+    RayPacket rays;
+    rays.origin = point_within(scene, scene.nodes[key.bits(3) % scene.nodes.size()], key.branch(0));
+    rays.origin[axis] += 20 * key.uniform(1) - 10;
+    if (key.bits(2) % 4 == 0) rays.origin[(axis + 1) % 3] = next_to_nothing(key.branch(1));
+    for (int i = 0; i < count; ++i) {
+        const Key own = key.branch(i + 2);
+        Vec3d direction;
+        for (int k = 0; k < 3; ++k) direction[k] = next_to_nothing(own.branch(k));
+        direction[axis] = (4 * own.uniform(0) - 2) * (own.bits(1) % 4 == 0 ? 1e38 : 1);
+        rays.add(direction, static_cast<float>(inf));
+    }
+    return rays;
+}
+
 /// `which` tells where extreme numbers stand: 0 directions, 1 origins, 2 t_min, 3 t_max.
 RayPacket extreme_packet(const Scene& scene, std::uint64_t which, int count, Key key) {
     RayPacket rays;
@@ -75,11 +115,39 @@ class Flushed {
 struct Flushed {};
 #endif
 
+/// Alone and in a packet.
+void judge_flushed(const Accelerator& accelerator, const RayPacket& rays, Counts& counts) {
+    WorkCounts work;
+    HitPacket packet, flushed_packet;
+    accelerator.closest(rays, packet, work);
+    for (int i = 0; i < rays.count; ++i) {
+        const Ray ray = rays.ray(i);
+        const Hit hit = accelerator.closest(ray, work);
+        const Hit flushed = [&] {
+            const Flushed during;
+            return accelerator.closest(ray, work);
+        }();
+        counts.judge(hit.node == flushed.node && hit.primitive == flushed.primitive, [&] {
+            return fmt::format("{}: node {} triangle {} becomes node {} triangle {}", words_of(ray),
+                               hit.node, hit.primitive, flushed.node, flushed.primitive);
+        });
+    }
+    {
+        const Flushed during;
+        accelerator.closest(rays, flushed_packet, work);
+    }
+    for (int i = 0; i < rays.count; ++i) {
+        const bool same = packet.node[i] == flushed_packet.node[i] &&
+                          packet.primitive[i] == flushed_packet.primitive[i];
+        counts.judge(same, [&] { return words_of(rays.ray(i)) + ": in a packet"; });
+    }
+}
+
 }  // namespace
 
 Counts extreme_rays(const Effort& effort) {
     Counts counts;
-    const Scene scene = testing::bit_of_everything();
+    const Scene scene = everything();
     const auto accelerator = build_accelerator(scene, effort.isa);
     each_packet(effort.of(200'000), Key(52), [&](Key key, int count) {
         const RayPacket rays = extreme_packet(scene, key.bits(0) % 4, count, key.branch(1));
@@ -95,36 +163,26 @@ Counts extreme_rays(const Effort& effort) {
 
 Counts rays_without_denormals(const Effort& effort) {
     Counts counts;
-    const Scene scene = testing::bit_of_everything();
+    const Scene scene = everything();
     const auto accelerator = build_accelerator(scene, effort.isa);
-    WorkCounts work;
     each_packet(effort.of(2'000'000), Key(53), [&](Key key, int count) {
-        const RayPacket rays = extreme_packet(scene, key.bits(0) % 5, count, key.branch(1));
-        HitPacket packet, flushed_packet;
-        accelerator->closest(rays, packet, work);
-        for (int i = 0; i < count; ++i) {
-            const Ray ray = rays.ray(i);
-            const Hit hit = accelerator->closest(ray, work);
-            const Hit flushed = [&] {
-                const Flushed during;
-                return accelerator->closest(ray, work);
-            }();
-            counts.judge(hit.node == flushed.node && hit.primitive == flushed.primitive, [&] {
-                return fmt::format("{}: node {} triangle {} becomes node {} triangle {}",
-                                   words_of(ray), hit.node, hit.primitive, flushed.node,
-                                   flushed.primitive);
-            });
-        }
-        {
-            const Flushed during;
-            accelerator->closest(rays, flushed_packet, work);
-        }
-        for (int i = 0; i < count; ++i) {
-            const bool same = packet.node[i] == flushed_packet.node[i] &&
-                              packet.primitive[i] == flushed_packet.primitive[i];
-            counts.judge(same, [&] { return words_of(rays.ray(i)) + ": in a packet"; });
-        }
+        judge_flushed(*accelerator, extreme_packet(scene, key.bits(0) % 5, count, key.branch(1)),
+                      counts);
     });
+    return counts;
+}
+
+Counts rays_along_axes(const Effort& effort) {
+    constexpr int together = 4;  // few, for they start from one point
+    Counts counts;
+    const Scene scene = everything();
+    const auto accelerator = build_accelerator(scene, effort.isa);
+    for (std::uint64_t i = 0; i < effort.of(400'000) / together; ++i) {
+        const RayPacket rays = packet_along_axis(scene, together, Key(54).branch(i));
+        judge_flushed(*accelerator, rays, counts);
+        ask(*accelerator, rays, counts,
+            [&](int k, const Hit& hit) { return hit == closest_brute(scene, rays.ray(k)); });
+    }
     return counts;
 }
 

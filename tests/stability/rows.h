@@ -66,5 +66,6 @@ Counts degenerate_meshes(const Effort& effort);
 // 10: numbers that are none, or extreme, in rays; the same with denormals flushed to zero.
 Counts extreme_rays(const Effort& effort);
 Counts rays_without_denormals(const Effort& effort);
+Counts rays_along_axes(const Effort& effort);
 
 }  // namespace luch::stability

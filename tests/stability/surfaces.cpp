@@ -9,8 +9,6 @@ namespace {
 
 using testing::random_point;
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
-
 /// Calls at_scale(scale, key) for 1e-3, 1e-2, …, 1e6.
 template <class AtScale>
 void each_scale(AtScale&& at_scale) {

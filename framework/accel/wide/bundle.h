@@ -86,6 +86,14 @@ LUCH_INLINE void turn(const RayPacket& rays, const Transform& to_object, Bundle&
         for (int i = 0; i < rays.count; ++i) {
             to[i] = static_cast<float>(rays.x[i] * mx + rays.y[i] * my + rays.z[i] * mz);
         }
+        for (int i = 0; i < rays.count; i += groups) {
+            const unsigned tiny =
+                abs(Sixteen::load(to + i)) < Sixteen(std::numeric_limits<float>::min());
+            for (unsigned rest = tiny; rest != 0; rest &= rest - 1) {
+                float& x = to[i + std::countr_zero(rest)];
+                x = normal_or_zero(x);
+            }
+        }
     }
 }
 
@@ -188,6 +196,7 @@ inline void bound_cone(Bundle& bundle, const Ranges (&directions)[3]) {
 inline void fill(Bundle& bundle, const RayPacket& rays, const Transform& to_object,
                  const float* limits) {
     bundle.origin = Vec3(to_object.point(rays.origin));
+    for (int axis = 0; axis < 3; ++axis) bundle.origin[axis] = normal_or_zero(bundle.origin[axis]);
     bundle.t_min = least_t(rays.t_min);
     turn(rays, to_object, bundle);
     std::copy(limits, limits + rays.count, bundle.t);

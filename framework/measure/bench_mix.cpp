@@ -1,0 +1,169 @@
+#include "framework/measure/bench_mix.h"
+
+#include "framework/math/rng.h"
+#include "framework/measure/metrics.h"
+#include "framework/measure/mix/kernels.h"
+
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <functional>
+
+namespace luch {
+namespace {
+
+constexpr std::size_t tile_pixels = 64 * 64;
+
+const mix::Kernels& kernels(Isa isa) {
+#if defined(LUCH_X86_64_LEVELS)
+    if (isa == Isa::v2) return mix::kernels_v2();
+    if (isa == Isa::v3) return mix::kernels_v3();
+    if (isa == Isa::v4) return mix::kernels_v4();
+#endif
+    static_cast<void>(isa);
+    return mix::kernels_plain();
+}
+
+/// Numbers that begin where a line of the cache does, or some vectors would lie in two.
+template <class T>
+class Aligned {
+ public:
+    explicit Aligned(std::size_t n) : lines_((n * sizeof(T) + 63) / 64), size_(n) {}
+    [[nodiscard]] T* data() { return reinterpret_cast<T*>(lines_.data()); }
+    [[nodiscard]] const T* data() const { return reinterpret_cast<const T*>(lines_.data()); }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] T& operator[](std::size_t i) { return data()[i]; }
+    [[nodiscard]] const T& operator[](std::size_t i) const { return data()[i]; }
+
+ private:
+    struct alignas(64) Line {
+        unsigned char bytes[64];
+    };
+    std::vector<Line> lines_;
+    std::size_t size_;
+};
+
+/// Two pictures and a place for their mean. A value is a channel, or several packed into one.
+template <class T>
+struct Pictures {
+    Aligned<T> a, b, mean;
+    explicit Pictures(std::size_t n) : a(n), b(n), mean(n) {}
+};
+
+/// The same noise for all representations: RGB of 255 levels, and an alpha of 255.
+void fill(Pictures<float>& pictures, Pictures<std::uint8_t>& bytes) {
+    const Key key(61);
+    for (std::size_t i = 0; i < bytes.a.size(); ++i) {
+        const std::uint64_t noise = key.bits(i);
+        bytes.a[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(noise);
+        bytes.b[i] = i % 4 == 3 ? 255 : static_cast<std::uint8_t>(noise >> 8);
+        if (i % 4 == 3) continue;
+        pictures.a[i / 4 * 3 + i % 4] = static_cast<float>(bytes.a[i]) / 255;
+        pictures.b[i / 4 * 3 + i % 4] = static_cast<float>(bytes.b[i]) / 255;
+    }
+}
+
+/// The same bytes as integers.
+template <class T>
+Pictures<T> packed(const Pictures<std::uint8_t>& bytes) {
+    Pictures<T> pictures(bytes.a.size() / sizeof(T));
+    std::memcpy(pictures.a.data(), bytes.a.data(), pictures.a.size() * sizeof(T));
+    std::memcpy(pictures.b.data(), bytes.b.data(), pictures.b.size() * sizeof(T));
+    return pictures;
+}
+
+struct Contender {
+    MixSpeed speed;
+    std::function<void(std::size_t pixels)> mix;
+    std::function<double()> worst_error;
+    std::vector<double> frame_ns{}, tile_ns{};
+};
+
+double error_of(const Pictures<float>& pictures) {
+    double worst = 0;
+    for (std::size_t i = 0; i < pictures.mean.size(); ++i) {
+        const double exact = 0.5 * (double{pictures.a[i]} + double{pictures.b[i]});
+        worst = std::max(worst, 255 * std::abs(pictures.mean[i] - exact));
+    }
+    return worst;
+}
+
+template <class T>
+double error_of(const Pictures<T>& pictures) {
+    const auto bytes_of = [](const Aligned<T>& values) {
+        return reinterpret_cast<const unsigned char*>(values.data());
+    };
+    const auto *a = bytes_of(pictures.a), *b = bytes_of(pictures.b), *m = bytes_of(pictures.mean);
+    double worst = 0;
+    for (std::size_t i = 0; i < pictures.mean.size() * sizeof(T); ++i) {
+        worst = std::max(worst, std::abs(m[i] - 0.5 * (a[i] + b[i])));
+    }
+    return worst;
+}
+
+template <class T>
+Contender contender(const std::string& mode, int bytes_per_pixel,
+                    void (*mix)(const T*, const T*, T*, std::size_t), Pictures<T>& pictures) {
+    // Three pictures are read or written.
+    const auto bytes = static_cast<std::size_t>(bytes_per_pixel / 3);
+    return {{mode, bytes_per_pixel},
+            [mix, bytes, &pictures](std::size_t pixels) {
+                mix(pictures.a.data(), pictures.b.data(), pictures.mean.data(),
+                    pixels * bytes / sizeof(T));
+            },
+            [&pictures] { return error_of(pictures); }};
+}
+
+double seconds_of(const std::function<void()>& work) {
+    const std::clock_t start = std::clock();
+    work();
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+/// A frame whole, then the same number of pixels tile by tile, all in one tile's memory.
+void run_once(Contender& contender, std::size_t pixels, bool counts) {
+    const double to_ns = 1e9 / static_cast<double>(pixels);
+    const double frame = seconds_of([&] { contender.mix(pixels); });
+    const std::size_t tiles = pixels / tile_pixels;
+    const double tile = seconds_of([&] {
+        for (std::size_t i = 0; i < tiles; ++i) contender.mix(tile_pixels);
+    });
+    if (!counts) return;
+    contender.frame_ns.push_back(frame * to_ns);
+    contender.tile_ns.push_back(tile * 1e9 / static_cast<double>(tiles * tile_pixels));
+}
+
+}  // namespace
+
+std::vector<MixSpeed> raced(const MixBench& bench) {
+    const std::size_t wanted = bench.size.area();
+    // Whole tiles, so that every representation ends with a whole value.
+    const std::size_t pixels = (wanted + tile_pixels - 1) / tile_pixels * tile_pixels;
+    Pictures<float> floats(3 * pixels);
+    Pictures<std::uint8_t> bytes(4 * pixels);
+    fill(floats, bytes);
+    auto words = packed<std::uint32_t>(bytes);
+    auto longs = packed<std::uint64_t>(bytes);
+    const mix::Kernels& with = kernels(bench.isa);
+    Contender contenders[] = {contender("float", 36, with.floats, floats),
+                              contender("float alone", 36, with.floats_alone, floats),
+                              contender("bytes alone", 12, with.bytes_alone, bytes),
+                              contender("word alone", 12, with.words_alone, words),
+                              contender("long alone", 12, with.longs_alone, longs),
+                              contender("word", 12, with.words, words),
+                              contender("bytes", 12, with.bytes, bytes)};
+    std::vector<MixSpeed> speeds;
+    for (int round = -1; round < bench.rounds; ++round) {  // the first one warms up
+        for (Contender& each : contenders) run_once(each, pixels, round >= 0);
+    }
+    for (Contender& each : contenders) {
+        each.mix(pixels);
+        each.speed.frame_ns = median(each.frame_ns);
+        each.speed.tile_ns = median(each.tile_ns);
+        each.speed.worst_error = each.worst_error();
+        speeds.push_back(each.speed);
+    }
+    return speeds;
+}
+
+}  // namespace luch
