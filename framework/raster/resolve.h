@@ -119,7 +119,7 @@ class Resolver {
     LUCH_INLINE Resolver(const Target& target, const RayPacket& rays, HitPacket& hits)
         : target_(target), rays_(rays), hits_(hits) {
         const Vec3 origin(target.to_object->point(rays.origin));
-        origin_ = {origin.x, origin.y, origin.z};
+        origin_ = {normal_or_zero(origin.x), normal_or_zero(origin.y), normal_or_zero(origin.z)};
         turn();
         std::fill(held_, held_ + looks, no_item);
     }
@@ -141,6 +141,9 @@ class Resolver {
             for (int i = 0; i < RayPacket::capacity; ++i) {
                 direction_[axis][i] =
                     static_cast<float>(rays_.x[i] * mx + rays_.y[i] * my + rays_.z[i] * mz);
+            }
+            for (int i = 0; i < RayPacket::capacity; i += 16) {
+                wide::drop_denormals(direction_[axis] + i);
             }
         }
     }

@@ -21,6 +21,10 @@ struct Case {
     Isa isa;
 };
 
+void PrintTo(const Case& tested, std::ostream* out) {
+    *out << tested.row.name << " on " << to_string(tested.isa);
+}
+
 std::vector<Case> cases() {
     std::vector<Case> all;
     for (const Row& row : rows()) {

@@ -86,14 +86,7 @@ LUCH_INLINE void turn(const RayPacket& rays, const Transform& to_object, Bundle&
         for (int i = 0; i < rays.count; ++i) {
             to[i] = static_cast<float>(rays.x[i] * mx + rays.y[i] * my + rays.z[i] * mz);
         }
-        for (int i = 0; i < rays.count; i += groups) {
-            const unsigned tiny =
-                abs(Sixteen::load(to + i)) < Sixteen(std::numeric_limits<float>::min());
-            for (unsigned rest = tiny; rest != 0; rest &= rest - 1) {
-                float& x = to[i + std::countr_zero(rest)];
-                x = normal_or_zero(x);
-            }
-        }
+        for (int i = 0; i < rays.count; i += groups) drop_denormals(to + i);
     }
 }
 

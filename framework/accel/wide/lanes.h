@@ -3,6 +3,8 @@
 #include "framework/accel/hit.h"
 #include "framework/math/simd.h"
 
+#include <bit>
+
 // The triangle test of hit.h in lanes: the same operations in the same order, so the same bits.
 // What it cannot decide within its own, wider bounds it leaves to intersect_triangle().
 // Only kernel files include this; nothing here has linkage.
@@ -52,6 +54,16 @@ LUCH_INLINE Three<T> lower(const Three<T>& a, const Three<T>& b) {
 template <class T>
 LUCH_INLINE Three<T> upper(const Three<T>& a, const Three<T>& b) {
     return {max_or(a.x, b.x), max_or(a.y, b.y), max_or(a.z, b.z)};
+}
+
+/// Denormal numbers among sixteen become ±0, as in object_ray().
+LUCH_INLINE void drop_denormals(float* sixteen) {
+    constexpr float normal = std::numeric_limits<float>::min();
+    unsigned tiny = abs(Lanes<16>::load(sixteen)) < Lanes<16>(normal);
+    for (; tiny != 0; tiny &= tiny - 1) {
+        float& x = sixteen[std::countr_zero(tiny)];
+        x = normal_or_zero(x);
+    }
 }
 
 /// Above this, |(a × (b − a)) · d| in float has a certain sign, and hit.cpp finds the same one. No
