@@ -136,6 +136,7 @@ float World::slack_for(const Vec3d& origin) const {
 void World::walk(const Ray& ray, float limit, float (*each)(void*, std::uint32_t), void* with,
                  WorkCounts& work) const {
     for (const NodeId node : unbounded_) limit = each(with, node);
+    if (limit == -std::numeric_limits<float>::infinity()) return;
     if (bounded_.size() == 1) {  // its own tree says no as quickly as its box
         each(with, bounded_[0]);
         return;

@@ -162,5 +162,17 @@ TEST(Accelerator, SurvivesRandomBitsForCorners) {
     }
 }
 
+TEST(Accelerator, OpensNoMoreBoxesForARayAlongAnAxisThanForOneBesideIt) {
+    Scene scene = testing::empty_scene();
+    testing::add_shape(scene, testing::uv_sphere(100, 200, 1));
+    const auto accelerator = build_accelerator(scene);
+    const auto boxes = [&](const Vec3d& direction) {
+        WorkCounts work;
+        accelerator->closest({{0.301, 0.207, -3}, direction}, work);
+        return work.boxes;
+    };
+    EXPECT_LE(boxes({0, 0, 1}), 2 * boxes({1e-4, 1e-4, 1}));
+}
+
 }  // namespace
 }  // namespace luch

@@ -1,11 +1,6 @@
 #include "framework/measure/bench_mix.h"
 
-#include "tests/testing/shell.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
+#include "tests/testing/kernel_objects.h"
 
 namespace luch {
 namespace {
@@ -21,18 +16,8 @@ TEST(BenchMix, RoundsByHalfALevelAtMostWithAllInstructions) {
 }
 
 TEST(BenchMix, ExportsItsEntryAndNothingThatALinkerMightShare) {
-    for (const char* level : {"plain", "v2", "v3", "v4"}) {
-        const std::string object =
-            std::string(LUCH_KERNEL_OBJECTS) + "/luch_measure_" + level + ".dir/mix/kernel.cpp.o";
-        if (!std::filesystem::exists(object)) {
-            ASSERT_STRNE(level, "plain") << object;
-            continue;
-        }
-        const auto [status, text] = shell("nm --defined-only -g -C " + object);
-        ASSERT_EQ(status, 0) << text;
-        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-        EXPECT_NE(text.find(std::string(" T luch::mix::kernels_") + level), text.npos) << text;
-    }
+    testing::expect_one_entry_each(LUCH_KERNEL_OBJECTS "/luch_measure_", ".dir/mix/kernel.cpp.o",
+                                   "luch::mix::kernels_");
 }
 
 }  // namespace
