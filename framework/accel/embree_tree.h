@@ -28,7 +28,7 @@ class EmbreeTree {
 
  private:
     std::atomic<std::int64_t> bytes_ = 0;
-    RTCDeviceTy* device_ = nullptr;
+    [[maybe_unused]] RTCDeviceTy* device_ = nullptr;
     RTCSceneTy* scene_ = nullptr;
 };
 
