@@ -12,10 +12,10 @@ inline constexpr Vec3 white{0.950428545f, 1.0f, 1.088900371f};
 
 /// XYZ relative to the white point, of linear sRGB; the matrix that IEC 61966-2-1's primaries give.
 [[nodiscard]] inline Vec3 relative_xyz(const Rgb& c) {
-    const float x = (10135552 * c.r + 8788810 * c.g + 4435075 * c.b) / 24577794;
-    const float y = (2613072 * c.r + 8788810 * c.g + 887015 * c.b) / 12288897;
-    const float z = (1425312 * c.r + 8788810 * c.g + 70074185 * c.b) / 73733382;
-    return Vec3(x, y, z) / white;
+    constexpr Vec3 to_x(10135552 / 24577794.0, 8788810 / 24577794.0, 4435075 / 24577794.0);
+    constexpr Vec3 to_y(2613072 / 12288897.0, 8788810 / 12288897.0, 887015 / 12288897.0);
+    constexpr Vec3 to_z(1425312 / 73733382.0, 8788810 / 73733382.0, 70074185 / 73733382.0);
+    return Vec3(glm::dot(to_x, c), glm::dot(to_y, c), glm::dot(to_z, c)) / white;
 }
 
 /// Y, Cx, Cz: the linear version of CIELAB that the eye's spatial filters are measured in.
