@@ -18,7 +18,7 @@ double Measured::sigmas_from(const Vec3d& truth, const Vec3d& truth_error) const
 Measured PathBench::measured(const Ray& ray, const PathSettings& settings, int samples,
                              std::uint64_t seed) const {
     Tracer tracer(*accelerator_);
-    PathTracer paths(scene_, lights_, settings, {}, tracer);
+    PathTracer paths(scene_, lights_, settings, Needs(), tracer);
     Measured result;
     Vec3d spread(0);
     for (int i = 0; i < samples; ++i) {

@@ -127,7 +127,7 @@ TEST(PathWays, AgreeWithTheClassicTracerWhereNothingScatters) {
             for (int x = 0; x < 24; ++x) {
                 const Ray ray = screen.ray(x + 0.5, y + 0.5);
                 const Rgb classic =
-                    Whitted(limited, {}, tracer).radiance(RayKind::primary, ray, Key(1));
+                    Whitted(limited, Needs(), tracer).radiance(RayKind::primary, ray, Key(1));
                 const Vec3d path = bench.measured(ray, {.roulette = false, .depth = depth}, 2).mean;
                 ASSERT_LT(max_norm(path - Vec3d(classic)), 1e-5) << x << " " << y << " " << depth;
             }
@@ -150,7 +150,7 @@ TEST(PathWays, MixLayersAsTheClassicTracerDoes) {
     for (const double height : {0.1, 0.6, 0.95}) {
         const Ray ray{{0, height, -3}, {0, 0, 1}};
         const Rgb classic =
-            Whitted(bench.scene(), {}, tracer).radiance(RayKind::primary, ray, Key(1));
+            Whitted(bench.scene(), Needs(), tracer).radiance(RayKind::primary, ray, Key(1));
         const auto path = bench.measured(ray, {.depth = bench.scene().settings.max_depth}, 20000);
         EXPECT_LE(path.sigmas_from(Vec3d(classic)), 3) << height;
     }
@@ -162,7 +162,7 @@ TEST(PathWays, EndAtTheDepthLimitBetweenTwoMirrors) {
     testing::add(scene, Plane{.y = 3}, Reflection{.multiplier = Rgb(1)});
     const PathBench bench(std::move(scene));
     Tracer tracer(bench.accelerator());
-    PathTracer paths(bench.scene(), bench.lights(), {.depth = 7}, {}, tracer);
+    PathTracer paths(bench.scene(), bench.lights(), {.depth = 7}, Needs(), tracer);
     EXPECT_EQ(paths.radiance({{0, 1, 0}, {0, -1, 0}}, {Key(1), 0}), Vec3d(0));
     EXPECT_EQ(tracer.counts().of(RayKind::primary), 1u);
     EXPECT_EQ(tracer.counts().of(RayKind::reflection), 7u);
@@ -173,7 +173,8 @@ TEST(PathWays, LogASegmentAsTheChildOfTheOneBefore) {
     Tracer tracer(bench.accelerator());
     RayLog log;
     tracer.record(&log);
-    PathTracer paths(bench.scene(), bench.lights(), {.roulette = false, .depth = 3}, {}, tracer);
+    PathTracer paths(bench.scene(), bench.lights(), {.roulette = false, .depth = 3}, Needs(),
+                     tracer);
     static_cast<void>(paths.radiance(testing::ray_to({-0.6, 1.2, -3}, {1.7, 0, 0.2}), {Key(4), 0}));
     int previous = LoggedRay::no_parent, shadows = 0, bounces = 0;
     for (std::size_t i = 0; i < log.rays().size(); ++i) {

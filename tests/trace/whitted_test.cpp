@@ -69,7 +69,7 @@ TEST(Whitted, TakesNoLightFromBehindASurface) {
     std::get<PointLight>(scene.lights[0]).position.y = -2;
     expect_near(seen(scene, down_at_origin).colour, Rgb(0));
     EXPECT_EQ(seen(scene, down_at_origin).counts.of(RayKind::shadow), 0u);
-    const Result forced = seen(scene, down_at_origin, {});
+    const Result forced = seen(scene, down_at_origin, Needs());
     expect_near(forced.colour, Rgb(0));
     EXPECT_EQ(forced.counts.of(RayKind::shadow), 1u);
 }
@@ -166,7 +166,8 @@ TEST(Whitted, GivesTheSamePictureWithEveryStageForcedOn) {
             const Ray ray = screen.ray(x + 0.5, y + 0.5);
             const Rgb a = Whitted(scene, Needs().without(Part::dark_shadow_rays), planned)
                               .radiance(RayKind::primary, ray, Key(x * y));
-            const Rgb b = Whitted(scene, {}, forced).radiance(RayKind::primary, ray, Key(x * y));
+            const Rgb b =
+                Whitted(scene, Needs(), forced).radiance(RayKind::primary, ray, Key(x * y));
             ASSERT_EQ(a, b) << x << " " << y;
         }
     }
