@@ -101,8 +101,7 @@ StressResult same_on_threads(const Subject& subject, const Scene& scene, int spp
             return judged(false, fmt::format("other rays on {} threads", threads));
         }
     }
-    if (first->unwritten.empty()) return judged(true, "the same bits on 1, 2 and 16 threads");
-    return {StressVerdict::not_written, fmt::format("{}", fmt::join(first->unwritten, ", "))};
+    return finished(*first, judged(true, "the same bits on 1, 2 and 16 threads"));
 }
 
 Scene with_camera(Projection projection) {
@@ -117,6 +116,7 @@ Scene through_lens() {
     Scene scene = bit_of_everything();
     scene.camera.depth_of_field = true;
     scene.camera.lens_samples = 4;
+    scene.settings.paths = 4;
     scene.camera.focal_distance = 8;
     return scene;
 }

@@ -17,31 +17,45 @@ const Image<T>* plane_of_kind(const Frame& frame, PlaneKind kind) {
     return nullptr;
 }
 
-/// Every pixel's id against the node that its ray meets, but for pixels that a mask says were
-/// traced. At most a share may be wrong.
-Check ids_right(double share) {
-    return [share](const Sight& sight) -> StressResult {
-        const auto* ids = plane_of_kind<NodeId>(sight.outcome.frame, PlaneKind::id);
-        if (ids == nullptr) return {StressVerdict::does_not_apply, "no plane of ids"};
-        const auto* traced = plane_of_kind<std::uint8_t>(sight.outcome.frame, PlaneKind::mask);
-        const Screen screen(sight.shot.camera, sight.shot.size);
-        WorkCounts work;
-        std::size_t covered = 0, wrong = 0, given_up = 0;
-        for (int y = 0; y < ids->height(); ++y) {
-            for (int x = 0; x < ids->width(); ++x) {
-                const Hit hit = sight.accelerator.closest(screen.ray(x + 0.5, y + 0.5), work);
-                covered += hit ? 1 : 0;
-                if (traced != nullptr && (*traced)(x, y) != 0) {
-                    ++given_up;
-                } else if ((*ids)(x, y) != hit.node) {
-                    ++wrong;
-                }
-            }
+/// A picture's ids, pixel by pixel, against the nodes that rays meet. What a mask says was traced
+/// is no word of the buffer's.
+struct Ids {
+    std::size_t covered = 0, wrong = 0, traced = 0;
+};
+
+Ids counted_ids(const Image<NodeId>& ids, const Image<std::uint8_t>* traced, const Screen& screen,
+                const Accelerator& accelerator) {
+    Ids counts;
+    WorkCounts work;
+    for (int y = 0; y < ids.height(); ++y) {
+        for (int x = 0; x < ids.width(); ++x) {
+            const Hit hit = accelerator.closest(screen.ray(x + 0.5, y + 0.5), work);
+            const bool gave_up = traced != nullptr && (*traced)(x, y) != 0;
+            counts.covered += hit ? 1 : 0;
+            counts.traced += gave_up ? 1 : 0;
+            counts.wrong += !gave_up && ids(x, y) != hit.node ? 1 : 0;
         }
-        const bool right = static_cast<double>(wrong) <= share * static_cast<double>(covered);
-        return judged(right,
-                      fmt::format("{} wrong of {} covered, {} traced", wrong, covered, given_up));
-    };
+    }
+    return counts;
+}
+
+/// At most a share of the covered pixels may be wrong.
+StressResult ids_of(const Subject& subject, Scene scene, double share) {
+    const OwnStudio studio(std::move(scene));
+    Shot shot = shot_of(studio.scene());
+    shot.spp = subject.spp();
+    const Outcome outcome = studio.render(*subject.info->create(), shot);
+    if (!outcome.plan.applies) return {StressVerdict::does_not_apply, outcome.plan.why};
+    const auto* ids = plane_of_kind<NodeId>(outcome.frame, PlaneKind::id);
+    if (ids == nullptr) return {StressVerdict::does_not_apply, "no plane of ids"};
+    const Ids counts =
+        counted_ids(*ids, plane_of_kind<std::uint8_t>(outcome.frame, PlaneKind::mask),
+                    Screen(shot.camera, shot.size), studio.studio().accelerator);
+    const bool right =
+        static_cast<double>(counts.wrong) <= share * static_cast<double>(counts.covered);
+    return finished(outcome,
+                    judged(right, fmt::format("{} wrong of {} covered, {} traced", counts.wrong,
+                                              counts.covered, counts.traced)));
 }
 
 Scene larger(Scene scene) {
@@ -55,21 +69,22 @@ void add_ids(CaseList& list) {
     // What rounding to a grid on the screen may cost at an edge; a round shape that stands for
     // itself as a polyhedron may lose its rim.
     constexpr double edges = 0.002, rims = 0.05;
+    const auto add = [&](std::string name, std::string expected, double share,
+                         std::function<Scene()> scene) {
+        list.add(15, "ids of " + std::move(name), std::move(expected),
+                 [subject = list.subject, share, scene = std::move(scene)] {
+                     return ids_of(subject, scene(), share);
+                 });
+    };
     for (const Thing thing : all_things) {
         const bool round = thing == Thing::sphere || thing == Thing::solid;
-        list.look(
-            15, fmt::format("ids of {}", to_string(thing)),
+        add(std::string(to_string(thing)),
             round ? "those of rays, ≤ 5 % at rims" : "those of rays, ≤ 0.2 % at edges",
-            [thing] { return larger(one_thing(thing)); }, ids_right(round ? rims : edges));
+            round ? rims : edges, [thing] { return larger(one_thing(thing)); });
     }
-    list.look(
-        15, "ids of a shape of every kind", "those of rays, ≤ 5 % at rims",
-        [] { return one_of_each(); }, ids_right(rims));
-    list.look(
-        15, "ids of sixty spheres", "those of rays, ≤ 5 % at rims", [] { return sixty_spheres(); },
-        ids_right(rims));
-    list.look(
-        15, "ids of nothing", "none", [] { return empty_scene(); }, ids_right(0));
+    add("a shape of every kind", "those of rays, ≤ 5 % at rims", rims, one_of_each);
+    add("sixty spheres", "those of rays, ≤ 5 % at rims", rims, sixty_spheres);
+    add("nothing", "none", 0, empty_scene);
 }
 
 }  // namespace luch::stress

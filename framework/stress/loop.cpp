@@ -46,9 +46,7 @@ StressResult looped(const Subject& subject, Scene scene, int frames) {
     const std::uint64_t now = resident_bytes();
     const std::uint64_t growth = now > warm_bytes ? now - warm_bytes : 0;
     const std::string got = fmt::format("{} frames, grown by {} kB", frames, growth >> 10);
-    if (growth > most_growth) return judged(false, got);
-    if (first.unwritten.empty()) return judged(true, got);
-    return {StressVerdict::not_written, fmt::format("{}", fmt::join(first.unwritten, ", "))};
+    return finished(first, judged(growth <= most_growth, got));
 }
 
 }  // namespace

@@ -86,6 +86,11 @@ StressResult judged(bool right, std::string got) {
     return {right ? StressVerdict::pass : StressVerdict::fail, std::move(got)};
 }
 
+StressResult finished(const Outcome& outcome, StressResult result) {
+    if (result.verdict != StressVerdict::pass || outcome.unwritten.empty()) return result;
+    return {StressVerdict::not_written, fmt::format("{}", fmt::join(outcome.unwritten, ", "))};
+}
+
 Outcome picture(const Subject& subject, Scene scene, int spp) {
     const OwnStudio studio(std::move(scene));
     return studio.render(*subject.info->create(), shot_for(subject, studio.scene(), spp));
@@ -108,10 +113,8 @@ StressResult looked_at(const Subject& subject, Look look, const Check& check) {
     const Sight sight{subject, two.scene(), one.accelerator, shot, outcome};
     StressResult result =
         check ? check(sight) : judged(true, "finite, the same on 1 and 2 threads");
-    if (result.verdict != StressVerdict::pass) return result;
-    result.got += beside_baseline(sight, one);
-    if (outcome.unwritten.empty()) return result;
-    return {StressVerdict::not_written, fmt::format("{}", fmt::join(outcome.unwritten, ", "))};
+    if (result.verdict == StressVerdict::pass) result.got += beside_baseline(sight, one);
+    return finished(outcome, std::move(result));
 }
 
 void CaseList::look(int row, std::string name, std::string expected, std::function<Look()> look,

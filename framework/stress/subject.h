@@ -39,6 +39,9 @@ using Check = std::function<StressResult(const Sight&)>;
 
 StressResult judged(bool right, std::string got);
 
+/// The verdict on a picture that passed, if the steps that made it are written.
+StressResult finished(const Outcome& outcome, StressResult result);
+
 /// What a case shows to the technique.
 struct Look {
     Look(Scene shown) : scene(std::move(shown)) {}
