@@ -10,7 +10,8 @@ namespace {
 
 /// The share of pixels where a rim may fall to the other side of a pixel's centre.
 constexpr double rims = 0.01;
-const Vec3d far_away(1e6, -2e6, 3e6);
+// No float is one of them, and no sum with a detail is exact in double.
+const Vec3d far_away(1'000'000.1, -2'000'000.3, 3'000'000.7);
 
 /// A sphere or a cube whose own numbers say where it stands; the node's transform says nothing.
 Scene placed_by_itself(bool sphere, const Vec3d& by) {
