@@ -195,6 +195,8 @@ void add_closed_things(CaseList& list) {
                 Scene scene = painted(at({0, 1, 0}, 0, -60, 60));
                 add(scene, Sphere{.centre = {0, -radius, 0}, .radius = radius},
                     Const{.color = paint});
+                // Below the ground: seen when its distance is wrong.
+                add(scene, Cube{.centre = {0, -15, 0}, .side = 20}, Const{.color = sky});
                 return scene;
             },
             all_of(paint));
