@@ -107,11 +107,11 @@ void add_directions(CaseList& list) {
             return scene;
         });
     }
-    // Of a sphere's picture a pixel at 0.0001° is some 1e-8 wide.
+    // So far away that the frame lies in the mesh, and at 0.001° would not.
     list.look(
         13, "a field of view of 0.0001° of a mesh", "its colour everywhere",
         [] {
-            return painted(Thing::ball, at({0, 0, -50}, 0, 0, 0.0001));
+            return painted(Thing::ball, at({0, 0, -5e5}, 0, 0, 0.0001));
         },
         all_of(paint));
     for (const double roll_deg : {0.0, 45.0}) {
