@@ -83,9 +83,8 @@ StressResult bounded(const Sight& sight) {
     const std::uint64_t bounced = counts.of(RayKind::reflection) + counts.of(RayKind::glossy) +
                                   counts.of(RayKind::refraction) + counts.of(RayKind::gi);
     const auto depth = static_cast<std::uint64_t>(sight.scene.settings.max_depth);
-    const std::uint64_t most = sight.shot.size.area() *
-                               static_cast<std::uint64_t>(std::max(sight.shot.spp, 1)) *
-                               (depth + 1);
+    const std::uint64_t most =
+        depth * sight.shot.size.area() * static_cast<std::uint64_t>(std::max(sight.shot.spp, 1));
     return judged(bounced <= most, fmt::format("{} bounces, {} at most", bounced, most));
 }
 
