@@ -77,12 +77,12 @@ Scene between_mirrors(int max_depth, double glossiness) {
     return scene;
 }
 
-/// No ray is reflected more often than the depth allows.
-StressResult bounded(const Sight& sight) {
+/// No ray goes on more often than the depth allows, and `more` times.
+StressResult bounded(const Sight& sight, std::uint64_t more) {
     const auto& counts = sight.outcome.counts;
     const std::uint64_t bounced = counts.of(RayKind::reflection) + counts.of(RayKind::glossy) +
                                   counts.of(RayKind::refraction) + counts.of(RayKind::gi);
-    const auto depth = static_cast<std::uint64_t>(sight.scene.settings.max_depth);
+    const auto depth = static_cast<std::uint64_t>(sight.scene.settings.max_depth) + more;
     const std::uint64_t most =
         depth * sight.shot.size.area() * static_cast<std::uint64_t>(std::max(sight.shot.spp, 1));
     return judged(bounced <= most, fmt::format("{} bounces, {} at most", bounced, most));
@@ -91,7 +91,7 @@ StressResult bounded(const Sight& sight) {
 /// No light comes in, and no ray goes on for ever.
 StressResult black_and_bounded(const Sight& sight) {
     const StressResult black = all_of(Rgb(0))(sight);
-    return black.verdict == StressVerdict::pass ? bounded(sight) : black;
+    return black.verdict == StressVerdict::pass ? bounded(sight, 0) : black;
 }
 
 /// Under water, looking up so far from the horizon, in degrees; nothing but water and sky.
@@ -171,7 +171,9 @@ void add_mirrors(CaseList& list) {
     for (const int depth : {1, 8, 200}) {
         list.look(
             17, fmt::format("mirrors face to face, depth {}", depth), "a ray a bounce",
-            [depth] { return between_mirrors(depth, 1); }, bounded);
+            [depth] { return between_mirrors(depth, 1); },
+            // At the last surface a path tracer looks round for lights.
+            [](const Sight& sight) { return bounded(sight, 1); });
     }
     list.look(17, "glossy mirrors face to face", "finite", [] { return between_mirrors(3, 0.75); });
     list.look(
