@@ -139,8 +139,8 @@ class Stress final : public Verb {
             }
         }
         fmt::print(
-            "Not here: other compilers and -O levels (row 21), which need builds of their own and\n"
-            "are held together in continuous integration.\n");
+            "Not here: other compilers and -O levels (row 21), which need builds of their own:\n"
+            "they are for continuous integration.\n");
         return 0;
     }
 

@@ -163,16 +163,7 @@ void add_projections(CaseList& list) {
         });
 }
 
-}  // namespace
-
-void add_cameras(CaseList& list) {
-    add_inside(list);
-    add_on_surface(list);
-    add_directions(list);
-    add_projections(list);
-}
-
-void add_closed_things(CaseList& list) {
+void add_closed_meshes(CaseList& list) {
     for (const Vec3d& by : {Vec3d(0), Vec3d(148376, 1234, -223423)}) {
         for (const double yaw_deg : {0.0, 135.0}) {
             list.look(
@@ -188,6 +179,9 @@ void add_closed_things(CaseList& list) {
                 all_of(paint));
         }
     }
+}
+
+void add_close_and_far_spheres(CaseList& list) {
     for (const double radius : {1e6, 1e12}) {
         list.look(
             6, fmt::format("a ground sphere of radius {:g}", radius), "the ground below",
@@ -210,6 +204,9 @@ void add_closed_things(CaseList& list) {
             return scene;
         },
         all_of(paint));
+}
+
+void add_degenerate_meshes(CaseList& list) {
     list.look(
         9, "ten thousand triangles in one place", "their colour",
         [] {
@@ -241,6 +238,21 @@ void add_closed_things(CaseList& list) {
         add(scene, mesh, Lambert{.color = paint});
         return scene;
     });
+}
+
+}  // namespace
+
+void add_cameras(CaseList& list) {
+    add_inside(list);
+    add_on_surface(list);
+    add_directions(list);
+    add_projections(list);
+}
+
+void add_closed_things(CaseList& list) {
+    add_closed_meshes(list);
+    add_close_and_far_spheres(list);
+    add_degenerate_meshes(list);
 }
 
 }  // namespace luch::stress
