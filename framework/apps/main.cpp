@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
     verbs.push_back(luch::make_compare());
     verbs.push_back(luch::make_plan());
     verbs.push_back(luch::make_lab());
+    verbs.push_back(luch::make_stress());
     verbs.push_back(luch::make_view());
     verbs.push_back(luch::make_bench());
     verbs.push_back(luch::make_doctor());

@@ -4,7 +4,8 @@
 
 namespace luch {
 
-// One file each: bench.cpp, compare.cpp, doctor.cpp, lab.cpp, list.cpp, plan.cpp, render.cpp, view.cpp.
+// One file each: bench.cpp, compare.cpp, doctor.cpp, lab.cpp, list.cpp, plan.cpp, render.cpp,
+// stress.cpp, view.cpp.
 std::unique_ptr<Verb> make_bench();
 std::unique_ptr<Verb> make_compare();
 std::unique_ptr<Verb> make_doctor();
@@ -12,6 +13,7 @@ std::unique_ptr<Verb> make_lab();
 std::unique_ptr<Verb> make_list();
 std::unique_ptr<Verb> make_plan();
 std::unique_ptr<Verb> make_render();
+std::unique_ptr<Verb> make_stress();
 std::unique_ptr<Verb> make_view();
 
 }  // namespace luch

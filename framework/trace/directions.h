@@ -51,7 +51,8 @@ struct Frame3 {
 
 [[nodiscard]] inline double power_cosine_pdf(double cosine, double exponent) {
     if (!(cosine > 0)) return 0;
-    return (exponent + 1) / (2 * std::numbers::pi) * std::pow(cosine, exponent);
+    // A cosine that rounding made larger than 1 is infinite to a large power.
+    return (exponent + 1) / (2 * std::numbers::pi) * std::pow(std::min(cosine, 1.0), exponent);
 }
 
 }  // namespace luch

@@ -34,7 +34,8 @@ struct MaterialShader {
         const Vec3d to_viewer = -glm::normalize(ray.direction);
         return lit(albedo(material.color, material.texture), [&](const Vec3d& to_light) {
             const Vec3d bounced = mirrored(-to_light, surface.normal);
-            const double cosine = std::max(0.0, glm::dot(bounced, to_viewer));
+            // Rounding may make it larger than 1, which is infinite to a large power.
+            const double cosine = std::min(std::max(0.0, glm::dot(bounced, to_viewer)), 1.0);
             return material.specular * static_cast<float>(std::pow(cosine, material.exponent));
         });
     }

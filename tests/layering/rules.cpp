@@ -18,7 +18,7 @@ constexpr std::size_t longest_file = 400;
 const std::map<std::string, int, std::less<>> ranks = {
     {"base", 0},    {"math", 1},    {"parallel", 2}, {"image", 3},     {"scene", 4},
     {"accel", 5},   {"raster", 6},  {"trace", 7},    {"technique", 8}, {"baseline", 9},
-    {"measure", 9}, {"grading", 9}, {"window", 10},  {"apps", 11},
+    {"measure", 9}, {"grading", 9}, {"window", 10},  {"stress", 11},   {"apps", 12},
 };
 
 /// Headers that are slow to compile or tied to one processor, and where each may be named. The

@@ -1,5 +1,5 @@
 #include "framework/scene/loader/loader.h"
-#include "tests/raster/views.h"
+#include "framework/stress/raster/sights.h"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,8 @@ TEST(EveryScene, ShowsTheHitsOfRaysInItsItemBufferAtEveryLevel) {
         for (const Isa isa : usable_isas()) {
             ItemBuffer buffer(scene, isa);
             const auto sights =
-                testing::compared(buffer, scene.camera, size, Vec2d(0.5), Workers(2),
-                                  [&](const Ray& ray) { return accelerator->closest(ray, work); });
+                stress::compared(buffer, scene.camera, size, Vec2d(0.5), Workers(2),
+                                 [&](const Ray& ray) { return accelerator->closest(ray, work); });
             EXPECT_TRUE(sights.right()) << file << ' ' << to_string(isa);
             EXPECT_EQ(sights.ambiguous, buffer.ambiguous_count());
         }

@@ -1,6 +1,6 @@
 #include "framework/raster/item_buffer.h"
 
-#include "tests/raster/views.h"
+#include "framework/stress/raster/sights.h"
 #include "tests/testing/everything.h"
 #include "tests/testing/meshes.h"
 #include "tests/testing/scenes.h"
@@ -10,8 +10,8 @@
 namespace luch {
 namespace {
 
-using testing::compared_with_brute;
-using testing::Sights;
+using stress::compared_with_brute;
+using stress::Sights;
 
 /// Spheres of triangles, sheared, mirrored and scaled, that hide one another.
 Scene crowd() {
@@ -152,8 +152,8 @@ TEST(ItemBuffer, TakesFramesOfAnyShapeAndAnyPointOfAPixel) {
     for (const Size size : {Size{1, 1}, Size{1, 37}, Size{641, 7}, Size{65, 64}}) {
         for (const Vec2d& offset : {Vec2d(0.5), Vec2d(0.125, 0.875)}) {
             const Sights sights =
-                testing::compared(buffer, scene.camera, size, offset, Workers(2),
-                                  [&](const Ray& ray) { return accelerator->closest(ray, work); });
+                stress::compared(buffer, scene.camera, size, offset, Workers(2),
+                                 [&](const Ray& ray) { return accelerator->closest(ray, work); });
             EXPECT_TRUE(sights.right()) << size.width;
             EXPECT_EQ(sights.pixels, size.area());
         }

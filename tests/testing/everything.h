@@ -1,15 +1,10 @@
 #pragma once
 
-#include "framework/scene/scene.h"
+#include "framework/stress/made/everything.h"
 
 namespace luch::testing {
 
-/// Adds a geometry with a material of its own, as a node.
-NodeId add(Scene& scene, Geometry geometry, Material material,
-           const Transform& to_world = Transform());
-
-/// Every kind of shape, material, texture and light once or more, with mirrors, meshes and sheared
-/// and mirrored transforms; 64 × 48 pixels.
-Scene bit_of_everything();
+using stress::add;
+using stress::bit_of_everything;
 
 }  // namespace luch::testing

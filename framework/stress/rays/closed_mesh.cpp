@@ -1,21 +1,18 @@
-#include "tests/stability/ask.h"
-#include "tests/testing/everything.h"
-#include "tests/testing/meshes.h"
-#include "tests/testing/scenes.h"
+#include "framework/stress/made/everything.h"
+#include "framework/stress/made/meshes.h"
+#include "framework/stress/made/scenes.h"
+#include "framework/stress/rays/ask.h"
 
-namespace luch::stability {
+namespace luch::stress {
 namespace {
-
-using testing::random_point;
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 enum class Aim { nothing, edges, corners };
 
 /// A closed mesh with slivers at its poles.
 Scene ball_at(const Vec3d& centre, int rings, int segments) {
-    Scene scene = testing::empty_scene();
-    testing::add(scene, testing::uv_sphere(rings, segments, 1), Lambert{},
-                 Transform::translation(centre));
+    Scene scene = empty_scene();
+    add(scene, uv_sphere(rings, segments, 1), Lambert{}, Transform::translation(centre));
     return scene;
 }
 
@@ -30,8 +27,8 @@ Vec3d aimed(const Scene& scene, Aim aim, const Vec3d& from, Key key) {
     return scene.nodes[0].to_world.point(a + along * (b - a)) - from;
 }
 
-Counts rays_inside(const Effort& effort, Aim aim, std::uint64_t stated) {
-    Counts counts;
+Tally rays_inside(const Effort& effort, Aim aim, std::uint64_t stated) {
+    Tally tally;
     for (const Vec3d& centre : {Vec3d(0), Vec3d(148376, 1234, -223423)}) {
         const Scene scene = ball_at(centre, 24, 40);
         const auto accelerator = build_accelerator(scene, effort.isa);
@@ -42,27 +39,27 @@ Counts rays_inside(const Effort& effort, Aim aim, std::uint64_t stated) {
             for (int i = 0; i < count; ++i) {
                 rays.add(aimed(scene, aim, rays.origin, key.branch(i + 1)), infinite);
             }
-            ask(*accelerator, rays, counts,
+            ask(*accelerator, rays, tally,
                 [](int, const Hit& hit) { return static_cast<bool>(hit); });
         });
     }
-    return counts;
+    return tally;
 }
 
 }  // namespace
 
-Counts random_rays_inside(const Effort& effort) {
+Tally random_rays_inside(const Effort& effort) {
     return rays_inside(effort, Aim::nothing, 20'000'000);
 }
-Counts rays_at_edges(const Effort& effort) {
+Tally rays_at_edges(const Effort& effort) {
     return rays_inside(effort, Aim::edges, 1'000'000);
 }
-Counts rays_at_corners(const Effort& effort) {
+Tally rays_at_corners(const Effort& effort) {
     return rays_inside(effort, Aim::corners, 1'000'000);
 }
 
-Counts rays_inside_directly(const Effort& effort) {
-    Counts counts;
+Tally rays_inside_directly(const Effort& effort) {
+    Tally tally;
     for (const Vec3d& centre : {Vec3d(0), Vec3d(148376, 1234, -223423)}) {
         const Scene scene = ball_at(centre, 6, 9);
         for (std::uint64_t i = 0; i < effort.of(3'000'000) / 2; ++i) {
@@ -70,10 +67,10 @@ Counts rays_inside_directly(const Effort& effort) {
             const Vec3d from = centre + random_point(key.branch(0), 0.3);
             const Ray ray{from, aimed(scene, static_cast<Aim>(i % 3), from, key.branch(1))};
             const bool hit = static_cast<bool>(closest_brute(scene, ray));
-            counts.judge(hit, [&] { return words_of(ray) + ": no triangle"; });
+            tally.judge(hit, [&] { return words_of(ray) + ": no triangle"; });
         }
     }
-    return counts;
+    return tally;
 }
 
-}  // namespace luch::stability
+}  // namespace luch::stress

@@ -1,6 +1,6 @@
-#include "tests/raster/views.h"
+#include "framework/stress/raster/sights.h"
 
-namespace luch::testing {
+namespace luch::stress {
 
 Sights& Sights::operator+=(const Sights& other) {
     pixels += other.pixels;
@@ -71,4 +71,4 @@ Camera camera_at(const Vec3d& eye, double yaw_deg, double pitch_deg, double fov_
     return camera;
 }
 
-}  // namespace luch::testing
+}  // namespace luch::stress

@@ -1,17 +1,15 @@
 #include "framework/accel/hit.h"
-#include "tests/stability/ask.h"
-#include "tests/testing/everything.h"
-#include "tests/testing/meshes.h"
-#include "tests/testing/scenes.h"
+#include "framework/stress/made/everything.h"
+#include "framework/stress/made/meshes.h"
+#include "framework/stress/made/scenes.h"
+#include "framework/stress/rays/ask.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif
 
-namespace luch::stability {
+namespace luch::stress {
 namespace {
-
-using testing::random_point;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -24,7 +22,7 @@ double extreme_number(Key key) {
 
 /// One or more of everything, and two spheres of many.
 Scene everything() {
-    Scene scene = testing::bit_of_everything();
+    Scene scene = bit_of_everything();
     scene.nodes.erase(scene.nodes.begin(), scene.nodes.begin() + 58);
     return scene;
 }
@@ -70,7 +68,7 @@ RayPacket extreme_packet(const Scene& scene, std::uint64_t which, int count, Key
     if (which == 2) rays.t_min = static_cast<float>(extreme_number(key.branch(3)));
     for (int i = 0; i < count; ++i) {
         const Key own = key.branch(i + 4);
-        Vec3d direction = testing::awkward_point(scene, own.branch(0)) - rays.origin;
+        Vec3d direction = awkward_point(scene, own.branch(0)) - rays.origin;
         double t_max = inf;
         if (which == 0) {
             direction[own.bits(1) % 3] = extreme_number(own.branch(2));
@@ -89,14 +87,14 @@ bool is_no_ray(const Ray& ray) {
 }
 
 /// intersect_triangle() must leave what it is given alone when it finds nothing.
-void judge_record(const Ray& ray, Counts& counts) {
+void judge_record(const Ray& ray, Tally& tally) {
     constexpr TriangleHit before{-7, -8, -9};
     TriangleHit hit = before;
     const bool found =
         intersect_triangle(object_ray(ray), {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}, false, hit);
     const bool same = hit.t == before.t && hit.u == before.u && hit.v == before.v;
-    counts.judge(found ? !std::isnan(hit.t + hit.u + hit.v) : same,
-                 [&] { return words_of(ray) + ": the record was written, or is NaN"; });
+    tally.judge(found ? !std::isnan(hit.t + hit.u + hit.v) : same,
+                [&] { return words_of(ray) + ": the record was written, or is NaN"; });
 }
 
 #if defined(__SSE__)
@@ -116,7 +114,7 @@ struct Flushed {};
 #endif
 
 /// Alone and in a packet.
-void judge_flushed(const Accelerator& accelerator, const RayPacket& rays, Counts& counts) {
+void judge_flushed(const Accelerator& accelerator, const RayPacket& rays, Tally& tally) {
     WorkCounts work;
     HitPacket packet, flushed_packet;
     accelerator.closest(rays, packet, work);
@@ -127,7 +125,7 @@ void judge_flushed(const Accelerator& accelerator, const RayPacket& rays, Counts
             const Flushed during;
             return accelerator.closest(ray, work);
         }();
-        counts.judge(hit.node == flushed.node && hit.primitive == flushed.primitive, [&] {
+        tally.judge(hit.node == flushed.node && hit.primitive == flushed.primitive, [&] {
             return fmt::format("{}: node {} triangle {} becomes node {} triangle {}", words_of(ray),
                                hit.node, hit.primitive, flushed.node, flushed.primitive);
         });
@@ -139,51 +137,51 @@ void judge_flushed(const Accelerator& accelerator, const RayPacket& rays, Counts
     for (int i = 0; i < rays.count; ++i) {
         const bool same = packet.node[i] == flushed_packet.node[i] &&
                           packet.primitive[i] == flushed_packet.primitive[i];
-        counts.judge(same, [&] { return words_of(rays.ray(i)) + ": in a packet"; });
+        tally.judge(same, [&] { return words_of(rays.ray(i)) + ": in a packet"; });
     }
 }
 
 }  // namespace
 
-Counts extreme_rays(const Effort& effort) {
-    Counts counts;
+Tally extreme_rays(const Effort& effort) {
+    Tally tally;
     const Scene scene = everything();
     const auto accelerator = build_accelerator(scene, effort.isa);
     each_packet(effort.of(200'000), Key(52), [&](Key key, int count) {
         const RayPacket rays = extreme_packet(scene, key.bits(0) % 4, count, key.branch(1));
-        ask(*accelerator, rays, counts, [&](int i, const Hit& hit) {
+        ask(*accelerator, rays, tally, [&](int i, const Hit& hit) {
             const Ray ray = rays.ray(i);
             if (is_no_ray(ray)) return hit == Hit{};
             return hit == closest_brute(scene, ray);
         });
-        for (int i = 0; i < count; ++i) judge_record(rays.ray(i), counts);
+        for (int i = 0; i < count; ++i) judge_record(rays.ray(i), tally);
     });
-    return counts;
+    return tally;
 }
 
-Counts rays_without_denormals(const Effort& effort) {
-    Counts counts;
+Tally rays_without_denormals(const Effort& effort) {
+    Tally tally;
     const Scene scene = everything();
     const auto accelerator = build_accelerator(scene, effort.isa);
     each_packet(effort.of(2'000'000), Key(53), [&](Key key, int count) {
         judge_flushed(*accelerator, extreme_packet(scene, key.bits(0) % 5, count, key.branch(1)),
-                      counts);
+                      tally);
     });
-    return counts;
+    return tally;
 }
 
-Counts rays_along_axes(const Effort& effort) {
+Tally rays_along_axes(const Effort& effort) {
     constexpr int together = 4;  // few, for they start from one point
-    Counts counts;
+    Tally tally;
     const Scene scene = everything();
     const auto accelerator = build_accelerator(scene, effort.isa);
     for (std::uint64_t i = 0; i < effort.of(400'000) / together; ++i) {
         const RayPacket rays = packet_along_axis(scene, together, Key(54).branch(i));
-        judge_flushed(*accelerator, rays, counts);
-        ask(*accelerator, rays, counts,
+        judge_flushed(*accelerator, rays, tally);
+        ask(*accelerator, rays, tally,
             [&](int k, const Hit& hit) { return hit == closest_brute(scene, rays.ray(k)); });
     }
-    return counts;
+    return tally;
 }
 
-}  // namespace luch::stability
+}  // namespace luch::stress

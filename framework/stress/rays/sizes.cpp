@@ -1,14 +1,12 @@
 #include "framework/measure/bench_judge.h"
-#include "tests/stability/ask.h"
-#include "tests/stability/exact_sphere.h"
-#include "tests/testing/everything.h"
-#include "tests/testing/meshes.h"
-#include "tests/testing/scenes.h"
+#include "framework/stress/made/everything.h"
+#include "framework/stress/made/meshes.h"
+#include "framework/stress/made/scenes.h"
+#include "framework/stress/rays/ask.h"
+#include "framework/stress/rays/exact_sphere.h"
 
-namespace luch::stability {
+namespace luch::stress {
 namespace {
-
-using testing::random_point;
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
@@ -33,17 +31,17 @@ RayPacket rays_about(const Vec3d& centre, double size, int count, Key key) {
 
 }  // namespace
 
-Counts meshes_of_every_size(const Effort& effort) {
-    Counts counts;
+Tally meshes_of_every_size(const Effort& effort) {
+    Tally tally;
     each_size([&](double size, Key start) {
-        Scene scene = testing::empty_scene();
-        testing::add(scene, testing::uv_sphere(6, 9, size), Lambert{});
+        Scene scene = empty_scene();
+        add(scene, uv_sphere(6, 9, size), Lambert{});
         const Node& node = scene.nodes[0];
         const auto& mesh = std::get<Mesh>(scene.geometries[0]);
         const auto accelerator = build_accelerator(scene, effort.isa);
         each_packet(effort.of(400'000) / 41, start, [&](Key key, int count) {
             const RayPacket rays = rays_about(Vec3d(0), size, count, key);
-            ask(*accelerator, rays, counts, [&](int i, const Hit& hit) {
+            ask(*accelerator, rays, tally, [&](int i, const Hit& hit) {
                 const Ray ray = rays.ray(i);
                 const Judgement truth = judged(mesh, 1, node.to_object.ray(ray));
                 if (!hit) return truth.verdict != Verdict::hit;
@@ -53,24 +51,24 @@ Counts meshes_of_every_size(const Effort& effort) {
             });
         });
     });
-    return counts;
+    return tally;
 }
 
-Counts spheres_of_every_size(const Effort& effort) {
-    Counts counts;
+Tally spheres_of_every_size(const Effort& effort) {
+    Tally tally;
     each_size([&](double size, Key start) {
-        Scene scene = testing::empty_scene();
+        Scene scene = empty_scene();
         const Sphere sphere{.centre = size * Vec3d(0.1, -0.2, 0.3), .radius = size};
-        testing::add(scene, sphere, Lambert{});
+        add(scene, sphere, Lambert{});
         const auto accelerator = build_accelerator(scene, effort.isa);
         each_packet(effort.of(4'000'000) / 41, start, [&](Key key, int count) {
             const RayPacket rays = rays_about(sphere.centre, size, count, key);
-            ask(*accelerator, rays, counts, [&](int i, const Hit& hit) {
+            ask(*accelerator, rays, tally, [&](int i, const Hit& hit) {
                 return is_right(exact_hit(sphere, rays.ray(i)), hit, 1e-6);
             });
         });
     });
-    return counts;
+    return tally;
 }
 
-}  // namespace luch::stability
+}  // namespace luch::stress

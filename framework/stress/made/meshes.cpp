@@ -1,8 +1,8 @@
-#include "tests/testing/meshes.h"
+#include "framework/stress/made/meshes.h"
 
 #include <numbers>
 
-namespace luch::testing {
+namespace luch::stress {
 namespace {
 
 void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -81,4 +81,4 @@ Vec3d awkward_point(const Scene& scene, Key key) {
     return node.to_world.point(a + along * (b - a));
 }
 
-}  // namespace luch::testing
+}  // namespace luch::stress

@@ -1,13 +1,11 @@
+#include "framework/stress/made/everything.h"
+#include "framework/stress/made/meshes.h"
+#include "framework/stress/made/scenes.h"
+#include "framework/stress/rays/ask.h"
 #include "framework/trace/surface.h"
-#include "tests/stability/ask.h"
-#include "tests/testing/everything.h"
-#include "tests/testing/meshes.h"
-#include "tests/testing/scenes.h"
 
-namespace luch::stability {
+namespace luch::stress {
 namespace {
-
-using testing::random_point;
 
 /// Calls at_scale(scale, key) for 1e-3, 1e-2, …, 1e6.
 template <class AtScale>
@@ -28,14 +26,14 @@ Vec3d outward(const Vec3d& normal, Key key) {
 
 /// Things that are convex: what leaves them outwards never meets them again.
 std::vector<Geometry> convex_things(double scale) {
-    return {testing::uv_sphere(12, 16, scale),
+    return {uv_sphere(12, 16, scale),
             Sphere{.centre = scale * Vec3d(0.1, 0.2, 0.3), .radius = scale},
             Cube{.centre = scale * Vec3d(0.1, 0.2, 0.3), .side = 2 * scale},
             Plane{.y = 0.3 * scale, .limit = 2 * scale}};
 }
 
 void leave(const Scene& scene, const Accelerator& accelerator, double scale, Key key,
-           Counts& counts) {
+           Tally& tally) {
     const Vec3d eye = scale * (random_point(key.branch(0), 1) + Vec3d(0, 3, 4));
     const Ray ray{eye, scale * random_point(key.branch(1), 1) - eye};
     WorkCounts work;
@@ -44,12 +42,12 @@ void leave(const Scene& scene, const Accelerator& accelerator, double scale, Key
     const Surface surface = surface_at(scene, ray, hit);
     const Ray away = leaving(surface, outward(surface.geometric_normal, key.branch(2)));
     const Hit again = accelerator.closest(away, work);
-    counts.judge(!again && !accelerator.occluded(away, work),
-                 [&] { return fmt::format("{}: met again at {}", words_of(away), again.t); });
+    tally.judge(!again && !accelerator.occluded(away, work),
+                [&] { return fmt::format("{}: met again at {}", words_of(away), again.t); });
     const Vec3d light = surface.position + 5 * scale * outward(surface.geometric_normal, key);
     const Ray shadow = shadow_ray(surface, light);
-    counts.judge(!accelerator.occluded(shadow, work),
-                 [&] { return words_of(shadow) + ": in its own shadow"; });
+    tally.judge(!accelerator.occluded(shadow, work),
+                [&] { return words_of(shadow) + ": in its own shadow"; });
 }
 
 /// Two squares, one a ten-thousandth of their size above the other.
@@ -71,26 +69,26 @@ Mesh thin_gap(double scale) {
 
 }  // namespace
 
-Counts rays_off_surfaces(const Effort& effort) {
-    Counts counts;
+Tally rays_off_surfaces(const Effort& effort) {
+    Tally tally;
     each_scale([&](double scale, Key start) {
         for (const Geometry& thing : convex_things(scale)) {
-            Scene scene = testing::empty_scene();
-            testing::add(scene, thing, Lambert{}, Transform::rotation(0.3, 0.2, 0.1));
+            Scene scene = empty_scene();
+            add(scene, thing, Lambert{}, Transform::rotation(0.3, 0.2, 0.1));
             const auto accelerator = build_accelerator(scene, effort.isa);
             for (std::uint64_t i = 0; i < effort.of(1'000'000) / 4; ++i) {
-                leave(scene, *accelerator, scale, start.branch(thing.index()).branch(i), counts);
+                leave(scene, *accelerator, scale, start.branch(thing.index()).branch(i), tally);
             }
         }
     });
-    return counts;
+    return tally;
 }
 
-Counts rays_through_thin_gaps(const Effort& effort) {
-    Counts counts;
+Tally rays_through_thin_gaps(const Effort& effort) {
+    Tally tally;
     each_scale([&](double scale, Key start) {
-        Scene scene = testing::empty_scene();
-        testing::add(scene, thin_gap(scale), Lambert{}, Transform::rotation(0.3, 0.2, 0.1));
+        Scene scene = empty_scene();
+        add(scene, thin_gap(scale), Lambert{}, Transform::rotation(0.3, 0.2, 0.1));
         const auto accelerator = build_accelerator(scene, effort.isa);
         const Node& node = scene.nodes[0];
         WorkCounts work;
@@ -106,11 +104,11 @@ Counts rays_through_thin_gaps(const Effort& effort) {
             const Vec3d through = outward(up, key.branch(2)) + 0.1 * up;
             const Hit above = accelerator->closest(leaving(surface, through), work);
             const bool other = above && above.primitive / 2 == 1 - hit.primitive / 2;
-            counts.judge(hit.primitive / 2 == 0 && other,
-                         [&] { return words_of(leaving(surface, through)) + ": leaks"; });
+            tally.judge(hit.primitive / 2 == 0 && other,
+                        [&] { return words_of(leaving(surface, through)) + ": leaks"; });
         }
     });
-    return counts;
+    return tally;
 }
 
-}  // namespace luch::stability
+}  // namespace luch::stress

@@ -1,9 +1,9 @@
-#include "tests/testing/everything.h"
+#include "framework/stress/made/everything.h"
 
-#include "tests/testing/meshes.h"
-#include "tests/testing/scenes.h"
+#include "framework/stress/made/meshes.h"
+#include "framework/stress/made/scenes.h"
 
-namespace luch::testing {
+namespace luch::stress {
 
 NodeId add(Scene& scene, Geometry geometry, Material material, const Transform& to_world) {
     scene.geometries.push_back(std::move(geometry));
@@ -108,4 +108,4 @@ Scene bit_of_everything() {
     return scene;
 }
 
-}  // namespace luch::testing
+}  // namespace luch::stress

@@ -1,15 +1,13 @@
 #include "framework/accel/wide/build.h"
-#include "tests/stability/ask.h"
-#include "tests/testing/everything.h"
-#include "tests/testing/meshes.h"
-#include "tests/testing/scenes.h"
+#include "framework/stress/made/everything.h"
+#include "framework/stress/made/meshes.h"
+#include "framework/stress/made/scenes.h"
+#include "framework/stress/rays/ask.h"
 
 #include <cstring>
 
-namespace luch::stability {
+namespace luch::stress {
 namespace {
-
-using testing::random_point;
 
 void add_triangle(Mesh& mesh, const Vec3& a, const Vec3& b, const Vec3& c) {
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -72,11 +70,11 @@ bool has_nan(const Hit& hit) {
     return std::isnan(hit.t) || std::isnan(hit.u) || std::isnan(hit.v);
 }
 
-void compare(Mesh mesh, std::uint64_t total, const Effort& effort, Key start, Counts& counts) {
+void compare(Mesh mesh, std::uint64_t total, const Effort& effort, Key start, Tally& tally) {
     const int depth = depth_of(wide::built(mesh, effort.isa), 0);
-    counts.judge(depth < 24, [&] { return fmt::format("depth {}", depth); });
-    Scene scene = testing::empty_scene();
-    testing::add(scene, std::move(mesh), Lambert{});
+    tally.judge(depth < 24, [&] { return fmt::format("depth {}", depth); });
+    Scene scene = empty_scene();
+    add(scene, std::move(mesh), Lambert{});
     const auto accelerator = build_accelerator(scene, effort.isa);
     each_packet(total, start, [&](Key key, int count) {
         RayPacket rays;
@@ -84,10 +82,10 @@ void compare(Mesh mesh, std::uint64_t total, const Effort& effort, Key start, Co
         for (int i = 0; i < count; ++i) {
             const Key own = key.branch(i + 1);
             const bool aimed = i % 2 == 0;
-            const Vec3d to = aimed ? testing::awkward_point(scene, own) : random_point(own, 1);
+            const Vec3d to = aimed ? awkward_point(scene, own) : random_point(own, 1);
             rays.add(to - rays.origin, std::numeric_limits<float>::infinity());
         }
-        ask(*accelerator, rays, counts, [&](int i, const Hit& hit) {
+        ask(*accelerator, rays, tally, [&](int i, const Hit& hit) {
             return hit == closest_brute(scene, rays.ray(i)) && !has_nan(hit);
         });
     });
@@ -95,17 +93,17 @@ void compare(Mesh mesh, std::uint64_t total, const Effort& effort, Key start, Co
 
 }  // namespace
 
-Counts degenerate_meshes(const Effort& effort) {
-    Counts counts;
+Tally degenerate_meshes(const Effort& effort) {
+    Tally tally;
     for (int kind = 0; kind < 5; ++kind) {
         const Key key = Key(49).branch(kind);
-        compare(mesh_of_kind(kind, key), effort.of(20'000), effort, key, counts);
+        compare(mesh_of_kind(kind, key), effort.of(20'000), effort, key, tally);
     }
-    Mesh same = testing::triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
+    Mesh same = triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
     same.triangles.resize(10'000, same.triangles[0]);
-    compare(same, effort.of(5'000), effort, Key(50), counts);
-    compare(Mesh{}, 0, effort, Key(51), counts);
-    return counts;
+    compare(same, effort.of(5'000), effort, Key(50), tally);
+    compare(Mesh{}, 0, effort, Key(51), tally);
+    return tally;
 }
 
-}  // namespace luch::stability
+}  // namespace luch::stress

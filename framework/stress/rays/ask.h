@@ -2,11 +2,11 @@
 
 #include "framework/accel/accelerator.h"
 #include "framework/math/rng.h"
-#include "tests/stability/rows.h"
+#include "framework/stress/rays/rows.h"
 
 #include <fmt/format.h>
 
-namespace luch::stability {
+namespace luch::stress {
 
 /// For the report of a failure.
 inline std::string words_of(const Ray& ray) {
@@ -18,7 +18,7 @@ inline std::string words_of(const Ray& ray) {
 /// Asks for the rays of a packet in all four ways: closest and occluded, alone and in the packet.
 /// They must agree, and right(i, hit) must hold.
 template <class Right>
-void ask(const Accelerator& accelerator, const RayPacket& rays, Counts& counts, Right&& right) {
+void ask(const Accelerator& accelerator, const RayPacket& rays, Tally& tally, Right&& right) {
     WorkCounts work;
     HitPacket hits;
     std::array<std::uint8_t, RayPacket::capacity> blocked;
@@ -30,7 +30,7 @@ void ask(const Accelerator& accelerator, const RayPacket& rays, Counts& counts, 
         const bool any = static_cast<bool>(alone);
         const bool agree = hits.hit(i) == alone && (blocked[i] != 0) == any &&
                            accelerator.occluded(ray, work) == any;
-        counts.judge(agree && right(i, alone), [&] {
+        tally.judge(agree && right(i, alone), [&] {
             return fmt::format("{}: t {} triangle {}, {}", words_of(ray), alone.t, alone.primitive,
                                agree ? "wrong" : "packets and rays alone differ");
         });
@@ -46,4 +46,4 @@ void each_packet(std::uint64_t total, Key key, One&& one) {
     }
 }
 
-}  // namespace luch::stability
+}  // namespace luch::stress

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace luch::stability {
+namespace luch::stress {
 
 /// Where a ray meets a sphere, in long double.
 struct ExactHit {
@@ -51,4 +51,4 @@ inline bool is_right(const ExactHit& exact, const Hit& hit, double tolerance) {
     return !hit || std::abs(hit.t - exact.t) <= tolerance * exact.t;
 }
 
-}  // namespace luch::stability
+}  // namespace luch::stress

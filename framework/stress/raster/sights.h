@@ -6,7 +6,7 @@
 #include <functional>
 
 // Frames of an item buffer, held against rays pixel by pixel.
-namespace luch::testing {
+namespace luch::stress {
 
 struct Sights {
     std::uint64_t pixels = 0;
@@ -35,4 +35,4 @@ Sights compared_with_brute(const Scene& scene, Size size, Isa isa);
 /// A camera at a point that looks somewhere.
 Camera camera_at(const Vec3d& eye, double yaw_deg, double pitch_deg, double fov_deg);
 
-}  // namespace luch::testing
+}  // namespace luch::stress

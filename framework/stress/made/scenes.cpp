@@ -1,8 +1,8 @@
-#include "tests/testing/scenes.h"
+#include "framework/stress/made/scenes.h"
 
 #include "framework/math/rng.h"
 
-namespace luch::testing {
+namespace luch::stress {
 
 Scene empty_scene() {
     Scene scene;
@@ -92,4 +92,4 @@ std::size_t different_pixels(const Outcome& a, const Outcome& b) {
     return count;
 }
 
-}  // namespace luch::testing
+}  // namespace luch::stress

@@ -1,13 +1,11 @@
 #include "framework/accel/hit.h"
-#include "tests/stability/ask.h"
-#include "tests/testing/everything.h"
-#include "tests/testing/meshes.h"
-#include "tests/testing/scenes.h"
+#include "framework/stress/made/everything.h"
+#include "framework/stress/made/meshes.h"
+#include "framework/stress/made/scenes.h"
+#include "framework/stress/rays/ask.h"
 
-namespace luch::stability {
+namespace luch::stress {
 namespace {
-
-using testing::random_point;
 
 /// A box of floats, flat in `flat`, an axis or none.
 Box random_box(int flat, Key key) {
@@ -73,25 +71,25 @@ Vec3d point_of_cubes(Key key) {
 
 }  // namespace
 
-Counts rays_in_faces_of_boxes(const Effort& effort) {
-    Counts counts;
+Tally rays_in_faces_of_boxes(const Effort& effort) {
+    Tally tally;
     for (std::uint64_t i = 0; i < effort.of(1'000'000); ++i) {
         const Key key = Key(46).branch(i);
         const Box box = random_box(static_cast<int>(i % 4), key.branch(0));
         const Ray ray = ray_in_face(box, key.branch(1));
         const Interval in = slab(box, object_ray(ray));
-        counts.judge(in.near <= in.far, [&] {
+        tally.judge(in.near <= in.far, [&] {
             return fmt::format("{}: box ({}, {}, {}) to ({}, {}, {})", words_of(ray), box.lo.x,
                                box.lo.y, box.lo.z, box.hi.x, box.hi.y, box.hi.z);
         });
     }
-    return counts;
+    return tally;
 }
 
-Counts rays_in_faces_of_cubes(const Effort& effort) {
-    Counts counts;
-    Scene scene = testing::empty_scene();
-    testing::add(scene, cubes(), Lambert{});
+Tally rays_in_faces_of_cubes(const Effort& effort) {
+    Tally tally;
+    Scene scene = empty_scene();
+    add(scene, cubes(), Lambert{});
     const auto accelerator = build_accelerator(scene, effort.isa);
     each_packet(effort.of(1'000'000), Key(47), [&](Key key, int count) {
         const int axis = static_cast<int>(key.bits(0) % 3), other = (axis + 1) % 3;
@@ -109,9 +107,9 @@ Counts rays_in_faces_of_cubes(const Effort& effort) {
             }
             rays.add(direction, std::numeric_limits<float>::infinity());
         }
-        ask(*accelerator, rays, counts, [](int, const Hit& hit) { return static_cast<bool>(hit); });
+        ask(*accelerator, rays, tally, [](int, const Hit& hit) { return static_cast<bool>(hit); });
     });
-    return counts;
+    return tally;
 }
 
-}  // namespace luch::stability
+}  // namespace luch::stress
