@@ -127,11 +127,10 @@ std::vector<EqualTime> at_equal_time(const ErrorPlane& plane, double baseline_ms
             if (error) row.errors.push_back({technique, *error});
         }
         if (row.errors.size() < 2) continue;
-        const auto same = [](const Reached& a, const Reached& b) { return a.value == b.value; };
         sort_by_value(row.errors);
-        const bool news =
-            rows.empty() || !std::equal(row.errors.begin(), row.errors.end(),
-                                        rows.back().errors.begin(), rows.back().errors.end(), same);
+        const bool news = rows.empty() ||
+                          rows.back().errors[0].technique != row.errors[0].technique ||
+                          rows.back().errors[0].value != row.errors[0].value;
         if (news) rows.push_back(std::move(row));
     }
     return rows;

@@ -68,7 +68,7 @@ struct EqualError {
     std::vector<std::string> not_reached;
 };
 
-/// At the baseline's frame time times a power of 4, as long as more time makes a difference.
+/// At the baseline's frame time times a power of 4 (1/16…64), where it makes the best a better one.
 std::vector<EqualTime> at_equal_time(const ErrorPlane& plane, double baseline_ms);
 EqualError at_equal_error(const ErrorPlane& plane, double error);
 

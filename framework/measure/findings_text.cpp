@@ -39,7 +39,7 @@ void add_truth(const SceneReport& scene, const LabTruth& truth, Sentences& all) 
         all.push_back("truth, " + facts);
         return;
     }
-    const double wanted = truth.samples * std::pow(5 * ratio, 2);
+    const double wanted = std::round(truth.samples * std::pow(5 * ratio, 2));
     all.push_back(
         fmt::format("WARNING: truth, {}, more than a fifth: errors that small are partly "
                     "the truth's own; about {} samples a pixel would do",

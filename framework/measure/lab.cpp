@@ -38,7 +38,7 @@ class SceneLab {
     SceneLab(const LabScene& scene, const TechniqueInfo& baseline, const LabOptions& options)
         : scene_(&scene),
           options_(&options),
-          setup_{scene.studio, scene.shot, scene.budget},
+          bench_{scene.studio, scene.shot, scene.budget},
           references_(options.cache, scene.content),
           pictures_(options.pictures, scene.name),
           baseline_{&baseline, "", 1, scene.budget.skip} {}
@@ -66,7 +66,7 @@ class SceneLab {
 
     const LabScene* scene_;
     const LabOptions* options_;
-    Setup setup_;
+    Workbench bench_;
     ReferenceCache references_;
     Pictures pictures_;
     Subject baseline_;
@@ -129,7 +129,7 @@ Measurement SceneLab::measured_once(const Subject& subject, const Subject* besid
             return std::move(*before);
         }
     }
-    Measurement measurement = measured(subject, beside, setup_, options_->repeat);
+    Measurement measurement = measured(subject, beside, bench_, options_->repeat);
     if (kept && measurement.ran()) options_->journal->put(key, bytes_of(measurement));
     return measurement;
 }
@@ -151,7 +151,9 @@ void SceneLab::measure_baseline() {
     if (!at_one.ran()) {
         throw Error(fmt::format("{}: the baseline {}", scene_->name, at_one.not_run));
     }
-    LabTruth facts{fmt::format("{}, {}", baseline_.info->name, samples(1)), true};
+    LabTruth facts;
+    facts.name = fmt::format("{}, {}", baseline_.info->name, samples(1));
+    facts.exact = true;
     frame_truth_ = truth_picture(facts, at_one.outcome.frame.colour);
     report_.truths.push_back(facts);
     report_.baseline = point_of(at_one, frame_truth_, nullptr);
@@ -201,11 +203,14 @@ std::optional<LeftOutCost> SceneLab::left_out_cost(const LabPoint& point,
 TruthPicture SceneLab::truth_for(const Subject& subject, int factor) {
     const int wanted = std::max(2, factor * spps_of(*subject.info).back());
     begin(fmt::format("truth: {}, {}", subject.info->name, samples(wanted)), wanted);
-    const Reference reference = references_.reference(subject, setup_, wanted);
-    return truth_picture(
-        {fmt::format("{}, {} in two halves", subject.info->name, samples(reference.samples)), false,
-         reference.samples, reference.displayed_error, reference.from_cache},
-        reference.linear);
+    const Reference reference = references_.reference(subject, bench_, wanted);
+    LabTruth facts;
+    facts.name =
+        fmt::format("{}, {} in two halves", subject.info->name, samples(reference.samples));
+    facts.samples = reference.samples;
+    facts.standard_error = reference.displayed_error;
+    facts.from_cache = reference.from_cache;
+    return truth_picture(facts, reference.linear);
 }
 
 /// The truth of a series by samples, and the errors against it. When it turns out to be too noisy
@@ -251,6 +256,7 @@ LabSeries SceneLab::series_by_samples(const TechniqueInfo& info) {
     const TruthPicture truth = judge(series, measurements, subject);
     series.truth = truth.facts.name;
     report_.truths.push_back(truth.facts);
+    pictures_.add_to(report_.truths.back(), fmt::format("{} truth", info.name), truth);
     for (std::size_t i = 0; i < series.points.size(); ++i) {
         pictures_.add_to(series.points[i],
                          fmt::format("{} {}", info.name, series.setting(series.points[i])),
@@ -280,7 +286,7 @@ void SceneLab::add_passes(LabSeries& series, const Subject& subject, const Truth
             return;
         }
     }
-    series.passes = independent_passes(subject, setup_, truth.linear, options_->passes);
+    series.passes = independent_passes(subject, bench_, truth.linear, options_->passes);
     if (kept) options_->journal->put(key, bytes_of(series.passes));
 }
 

@@ -64,4 +64,8 @@ void Pictures::add_to(LabPoint& point, const std::string& name, const Image<Rgb>
     }
 }
 
+void Pictures::add_to(LabTruth& truth, const std::string& name, const TruthPicture& picture) const {
+    truth.picture = written(name, picture.shown.view());
+}
+
 }  // namespace luch

@@ -28,6 +28,8 @@ class Pictures {
     /// The point's picture and, unless it is bit for bit the truth's, where it differs.
     void add_to(LabPoint& point, const std::string& name, const Image<Rgb>& linear,
                 const TruthPicture& truth) const;
+    /// The truth's own.
+    void add_to(LabTruth& truth, const std::string& name, const TruthPicture& picture) const;
 
  private:
     [[nodiscard]] std::filesystem::path written(const std::string& name,

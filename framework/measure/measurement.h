@@ -13,13 +13,13 @@ namespace luch {
 /// A technique at one setting.
 struct Subject {
     const TechniqueInfo* info = nullptr;
-    std::string assignment;  ///< "lod=4"; "" as the technique is by itself
+    std::string assignment = {};  ///< "lod=4"; "" as the technique is by itself
     int spp = 1;
     bool skip = true;  ///< false: every stage is run, needed or not
 };
 
 /// Where subjects are run.
-struct Setup {
+struct Workbench {
     const Studio& studio;
     const Shot& shot;  ///< its spp is the subject's
     const Budget& budget;
@@ -37,12 +37,12 @@ struct Measurement {
 
 /// One frame without a clock: a reference, a pass. Throws what the technique throws, and Error when
 /// its plan does not apply.
-Image<Rgb> picture_of(const Subject& subject, const Setup& setup, std::uint64_t seed);
+Image<Rgb> picture_of(const Subject& subject, const Workbench& bench, std::uint64_t seed);
 
 /// Runs it in rounds and, in each round, the other one too, so that what slows the machine for a
 /// minute slows both. A plan that does not apply and an exception are in not_run: one technique's
 /// failure (a homework's, say) must not cost the hours of the others.
-Measurement measured(const Subject& subject, const Subject* beside, const Setup& setup,
+Measurement measured(const Subject& subject, const Subject* beside, const Workbench& bench,
                      Repeat repeat);
 
 /// As bytes for a file, and back; planes, marks and work counts are left out. Nothing when the

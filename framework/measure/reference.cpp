@@ -27,14 +27,14 @@ Subject with_samples(const Subject& subject, int spp) {
 
 }  // namespace
 
-std::string ReferenceCache::key_of(const Subject& subject, const Setup& setup,
+std::string ReferenceCache::key_of(const Subject& subject, const Workbench& bench,
                                    std::uint64_t seed) const {
-    const Image<Rgb> first = picture_of(with_samples(subject, 2), setup, seed);
+    const Image<Rgb> first = picture_of(with_samples(subject, 2), bench, seed);
     Digest digest;
     digest.part(fmt::format("luch reference {}", format_version))
         .part(content_)
-        .part(fmt::format("{}x{}", setup.shot.size.width, setup.shot.size.height))
-        .part(fmt::format("frame {} time {}", setup.shot.frame, setup.shot.time_s))
+        .part(fmt::format("{}x{}", bench.shot.size.width, bench.shot.size.height))
+        .part(fmt::format("frame {} time {}", bench.shot.frame, bench.shot.time_s))
         .part(subject.info->name)
         .part(subject.assignment)
         .part(fmt::format("spp {} seed {} skip {}", subject.spp, seed, subject.skip))
@@ -42,26 +42,27 @@ std::string ReferenceCache::key_of(const Subject& subject, const Setup& setup,
     return digest.text();
 }
 
-Image<Rgb> ReferenceCache::picture(const Subject& subject, const Setup& setup, std::uint64_t seed,
-                                   bool& from_cache) const {
+Image<Rgb> ReferenceCache::picture(const Subject& subject, const Workbench& bench,
+                                   std::uint64_t seed, bool& from_cache) const {
     const bool kept = store_ && !content_.empty();
-    const std::string key = kept ? key_of(subject, setup, seed) : "";
+    const std::string key = kept ? key_of(subject, bench, seed) : "";
     if (kept) {
         const std::optional<std::string> bytes = store_->get(key);
         std::optional<Image<Rgb>> image = bytes ? image_of(*bytes) : std::nullopt;
-        if (image && image->size() == setup.shot.size) return std::move(*image);
+        if (image && image->size() == bench.shot.size) return std::move(*image);
     }
     from_cache = false;
-    Image<Rgb> image = picture_of(subject, setup, seed);
+    Image<Rgb> image = picture_of(subject, bench, seed);
     if (kept) store_->put(key, bytes_of(image));
     return image;
 }
 
-Reference ReferenceCache::reference(const Subject& subject, const Setup& setup, int samples) const {
+Reference ReferenceCache::reference(const Subject& subject, const Workbench& bench,
+                                    int samples) const {
     const Subject half = with_samples(subject, std::max(1, samples / 2));
     bool from_cache = true;
-    const Image<Rgb> a = picture(half, setup, setup.shot.seed + 1, from_cache);
-    const Image<Rgb> b = picture(half, setup, setup.shot.seed + 2, from_cache);
+    const Image<Rgb> a = picture(half, bench, bench.shot.seed + 1, from_cache);
+    const Image<Rgb> b = picture(half, bench, bench.shot.seed + 2, from_cache);
     Reference reference = reference_of_halves(a, b);
     reference.samples = 2 * half.spp;
     reference.from_cache = from_cache;
@@ -80,15 +81,15 @@ Reference reference_of_halves(const Image<Rgb>& a, const Image<Rgb>& b) {
     return reference;
 }
 
-LabPasses independent_passes(const Subject& subject, const Setup& setup, const Image<Rgb>& truth,
-                             int most) {
+LabPasses independent_passes(const Subject& subject, const Workbench& bench,
+                             const Image<Rgb>& truth, int most) {
     const Subject once = with_samples(subject, 2);
     LabPasses passes;
     std::vector<Vec3d> sum(truth.pixels().size(), Vec3d(0));
     Image<Rgb> mean(truth.size());
     for (int n = 1; n <= most; ++n) {
-        const auto seed = setup.shot.seed + first_pass + static_cast<std::uint64_t>(n);
-        const Image<Rgb> frame = picture_of(once, setup, seed);
+        const auto seed = bench.shot.seed + first_pass + static_cast<std::uint64_t>(n);
+        const Image<Rgb> frame = picture_of(once, bench, seed);
         for (std::size_t i = 0; i < sum.size(); ++i) {
             sum[i] += Vec3d(frame.pixels()[i]);
             mean.pixels()[i] = Rgb(sum[i] / static_cast<double>(n));

@@ -28,14 +28,14 @@ class ReferenceCache {
 
     /// The mean of two halves of `samples / 2` each (samples ≥ 2), with the seeds seed + 1 and
     /// seed + 2. Throws as picture_of().
-    [[nodiscard]] Reference reference(const Subject& subject, const Setup& setup,
+    [[nodiscard]] Reference reference(const Subject& subject, const Workbench& bench,
                                       int samples) const;
 
  private:
-    [[nodiscard]] std::string key_of(const Subject& subject, const Setup& setup,
+    [[nodiscard]] std::string key_of(const Subject& subject, const Workbench& bench,
                                      std::uint64_t seed) const;
-    [[nodiscard]] Image<Rgb> picture(const Subject& subject, const Setup& setup, std::uint64_t seed,
-                                     bool& from_cache) const;
+    [[nodiscard]] Image<Rgb> picture(const Subject& subject, const Workbench& bench,
+                                     std::uint64_t seed, bool& from_cache) const;
 
     std::optional<Store> store_;
     std::string content_;
@@ -47,8 +47,8 @@ Reference reference_of_halves(const Image<Rgb>& a, const Image<Rgb>& b);
 /// The RMSE of the mean of 1, 2, 4… independent frames of two samples a pixel each, up to `most`:
 /// whatever the technique does within a frame, frames of different seeds must come closer to the
 /// truth with the power −½ of their number. None of the seeds is the reference's.
-LabPasses independent_passes(const Subject& subject, const Setup& setup, const Image<Rgb>& truth,
-                             int most);
+LabPasses independent_passes(const Subject& subject, const Workbench& bench,
+                             const Image<Rgb>& truth, int most);
 
 /// As bytes for a file, and back; nothing when the bytes are no passes.
 std::string bytes_of(const LabPasses& passes);

@@ -42,6 +42,7 @@ struct LabTruth {
     int samples = 0;            ///< a pixel
     double standard_error = 0;  ///< its own, as displayed, the root over all channels
     bool from_cache = false;
+    std::filesystem::path picture;  ///< a file; empty where none was written
 
     /// Whether it is good enough for errors as small as this RMSE, as displayed: its own standard
     /// error is at most a fifth.
