@@ -161,7 +161,7 @@
       cursor: { points: { show: false }, drag: { x: false, y: false } },
       scales: { x: { distr: 3, time: false, range: () => x }, y: { distr: 3, range: () => y } },
       axes: [axis(scene.time_label, 44, text(x)),
-        axis(`${metric.label} against ${plane.truth}`, 76, yText)],
+        axis(`${metric.label}, as displayed`, 76, yText)],
       series: [{}, ...seriesStyles(plane)],
       hooks: {
         draw: [(self) => drawMarks(self, best, scene.baseline_ms)],
