@@ -70,11 +70,12 @@ std::string result_cells(const SceneReport& scene, const LabPoint& point) {
         return fmt::format("<td class=\"why\" colspan=\"{}\">{}</td>", 5 + metrics().size(),
                            escaped(point.not_run));
     }
-    std::string cells = td(milliseconds(point.prepare_ms)) + td(milliseconds(point.frame_ms)) +
+    std::string cells = "<td class=\"text\">" + remark(point) + "</td>" +
+                        td(milliseconds(point.prepare_ms)) + td(milliseconds(point.frame_ms)) +
                         td(three_digits(scene.speedup(point)), "lead-number") +
                         td(rays_part(scene, point));
     for (const Metric& metric : metrics()) cells += td(shown(metric, point.errors));
-    return cells + "<td class=\"text\">" + remark(point) + "</td>";
+    return cells;
 }
 
 std::string cost_cells(const std::vector<RayKind>& kinds, const SceneReport& scene,
@@ -150,13 +151,14 @@ std::string left_out_rows(const std::string& technique, const Plan& plan) {
 std::string html_results(const SceneReport& scene) {
     std::string html =
         "<h3>Time and error</h3>\n<div class=\"wide\"><table>\n<tr><th>technique</th>"
-        "<th class=\"text\">setting</th><th>prep, ms</th><th>frame, ms</th><th>× faster</th>"
+        "<th class=\"text\">setting</th><th></th><th>prep, ms</th><th>frame, ms</th><th>× "
+        "faster</th>"
         "<th>rays</th>";
     for (const Metric& metric : metrics()) {
         html +=
             fmt::format("<th title=\"{}\">{}</th>", escaped(metric.meaning), escaped(metric.label));
     }
-    html += "<th></th></tr>\n";
+    html += "</tr>\n";
     for (const Row& row : rows_of(scene)) {
         html += row_start(row) + result_cells(scene, *row.point) + "</tr>\n";
     }
