@@ -30,7 +30,7 @@ LabPoint point_of(const Measurement& measurement, const TruthPicture& truth,
     point.prepare_ms = outcome.prepare_ms;
     point.frame_ms = median(outcome.frame_ms);
     point.cpu_ms = median(outcome.cpu_ms);
-    point.beside_ms = measurement.beside();
+    point.beside_ms = median(measurement.beside_ms);
     point.frames = static_cast<int>(outcome.frame_ms.size());
     point.counts = outcome.counts;
     point.bytes = outcome.bytes;

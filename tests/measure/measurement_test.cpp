@@ -57,7 +57,7 @@ TEST(Measured, IsTheSameAfterAWayThroughBytes) {
     Measurement measurement;
     Outcome& outcome = measurement.outcome;
     measurement.beside_ms = {1.5, 0.1};
-    outcome.plan = {true, "why", {{"a", true, Stage::bounded, "b \"c\"", 0.5f}}};
+    outcome.plan = {true, "why", {{"a", false, Stage::bounded, "b \"c\"", 0.5f}}};
     outcome.prepare_ms = 0.3;
     outcome.frame_ms = {1.0 / 3, 2};
     outcome.cpu_ms = {7};
@@ -74,6 +74,7 @@ TEST(Measured, IsTheSameAfterAWayThroughBytes) {
     EXPECT_EQ(bytes_of(*read), bytes);
     EXPECT_EQ(read->outcome.frame_ms, outcome.frame_ms);
     EXPECT_EQ(read->outcome.plan.stages.at(0).why, "b \"c\"");
+    EXPECT_FALSE(read->outcome.plan.stages.at(0).needed);
     EXPECT_EQ(read->outcome.counts.of(RayKind::gi), 123'456'789'012u);
     EXPECT_EQ(read->outcome.non_finite.count, 1u);
     EXPECT_EQ(read->outcome.unwritten, outcome.unwritten);
