@@ -9,6 +9,7 @@
 #include "framework/accel/world.h"
 #include "framework/base/error.h"
 #include "framework/base/text.h"
+#include "framework/scene/census.h"
 
 #include <optional>
 
@@ -31,8 +32,11 @@ void set_limits(const RayPacket& rays, float* limits) {
 template <class Index>
 class BvhAccelerator final : public Accelerator {
  public:
-    BvhAccelerator(const Scene& scene, Isa isa)
-        : scene_(&scene), meshes_(scene.geometries.size()), world_(scene, isa) {
+    BvhAccelerator(const Scene& scene, Isa isa, bool skip)
+        : scene_(&scene),
+          meshes_(scene.geometries.size()),
+          world_(scene, isa, skip),
+          moved_(!skip || census_of(scene).moved > 0) {
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
             if (const auto* mesh = std::get_if<Mesh>(&scene.geometries[i]))
                 meshes_[i].emplace(*mesh, isa);
@@ -134,7 +138,7 @@ class BvhAccelerator final : public Accelerator {
 
     bool improve_with_node(NodeId id, const Ray& ray, bool any, Hit& best, WorkCounts& work) const {
         const Node& node = scene_->nodes[id];
-        const Ray object = to_object(ray, node);
+        const Ray object = moved_ ? to_object(ray, node) : ray;
         if (const auto& mesh = meshes_[node.geometry]) {
             if (!any) return mesh->closest(object_ray(object), id, best, work);
             if (!mesh->occluded(object_ray(object), work)) return false;
@@ -153,13 +157,17 @@ class BvhAccelerator final : public Accelerator {
     const Scene* scene_;
     std::vector<std::optional<Index>> meshes_;  ///< by geometry
     World world_;
+    bool moved_;  ///< some node stands elsewhere than its geometry says
 };
 
 }  // namespace
 
-std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa, Backend backend) {
-    if (backend == Backend::luch) return std::make_unique<BvhAccelerator<MeshBvh>>(scene, isa);
-    return std::make_unique<BvhAccelerator<EmbreeMesh>>(scene, isa);
+std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa, Backend backend,
+                                               bool skip) {
+    if (backend == Backend::luch) {
+        return std::make_unique<BvhAccelerator<MeshBvh>>(scene, isa, skip);
+    }
+    return std::make_unique<BvhAccelerator<EmbreeMesh>>(scene, isa, skip);
 }
 
 Backend parsed_backend(std::string_view text) {

@@ -15,10 +15,12 @@ namespace luch {
 struct WorkCounts {
     std::uint64_t boxes = 0;
     std::uint64_t primitives = 0;
+    std::uint64_t searches = 0;  ///< for the nodes that a ray or a packet may meet
 
     WorkCounts& operator+=(const WorkCounts& other) {
         boxes += other.boxes;
         primitives += other.primitives;
+        searches += other.searches;
         return *this;
     }
 };
@@ -51,9 +53,11 @@ enum class Backend { luch, embree };
 Backend parsed_backend(std::string_view text);
 
 /// Binned-SAH BVHs over the triangles of every mesh, and one over the nodes. Keeps a reference to
-/// the scene, which must outlive it. The hits are the same whatever the instructions.
+/// the scene, which must outlive it. The hits are the same whatever the instructions. `skip` false:
+/// a single node is searched for, too, and rays are turned into the coordinates even of nodes that
+/// stand in the world's; the hits stay the same.
 std::unique_ptr<Accelerator> build_accelerator(const Scene& scene, Isa isa = parsed_isa(""),
-                                               Backend backend = Backend::luch);
+                                               Backend backend = Backend::luch, bool skip = true);
 
 /// The oracle: tests every primitive of every node. Slow on purpose.
 Hit closest_brute(const Scene& scene, const Ray& ray);

@@ -72,10 +72,21 @@ float edge_value(const Vec3& a, const Vec3& b, const Vec3& d) {
            (a.x * e.y - a.y * e.x) * d.z;
 }
 
+/// The least of |x|, |y|, |z|.
+float min_norm(const Vec3& v) {
+    return std::min(std::abs(v.x), std::min(std::abs(v.y), std::abs(v.z)));
+}
+
 }  // namespace
 
 ObjectRay object_ray(const Ray& ray) {
     ObjectRay object{Vec3(ray.origin), Vec3(ray.direction), {}, least_t(ray.t_min), ray.t_max};
+    const float most = max_norm(object.direction);
+    const float least = std::min(min_norm(object.origin), min_norm(object.direction));
+    if (least >= std::numeric_limits<float>::min() && most <= 0x1p100f) {
+        object.inverse = 1.0f / object.direction;
+        return object;
+    }
     for (int axis = 0; axis < 3; ++axis) {
         object.origin[axis] = normal_or_zero(object.origin[axis]);
         object.direction[axis] = normal_or_zero(object.direction[axis]);

@@ -6,10 +6,10 @@
 
 namespace luch {
 
-/// Whether a ray can hit anything: finite, and with a direction (one of denormal numbers is none,
-/// as processors may take them for 0).
+/// Whether a ray can hit anything: it looks for some t, is finite, and has a direction (one of
+/// denormal numbers is none, as processors may take them for 0).
 [[nodiscard]] inline bool is_sound(const Ray& ray) {
-    return all_finite(ray.origin) && all_finite(ray.direction) &&
+    return ray.t_min < ray.t_max && all_finite(ray.origin) && all_finite(ray.direction) &&
            max_norm(ray.direction) >= std::numeric_limits<double>::min();
 }
 

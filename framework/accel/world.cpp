@@ -92,7 +92,7 @@ constexpr double near_enough = 3;
 
 }  // namespace
 
-World::World(const Scene& scene, Isa isa) : kernels_(&wide::kernels(isa)) {
+World::World(const Scene& scene, Isa isa, bool skip) : kernels_(&wide::kernels(isa)) {
     // Once a geometry, not once a node: a forest's nodes share a few large meshes.
     std::vector<Boxd> of_geometry;
     for (const Geometry& geometry : scene.geometries) of_geometry.push_back(bounds_of(geometry));
@@ -120,6 +120,7 @@ World::World(const Scene& scene, Isa isa) : kernels_(&wide::kernels(isa)) {
         slack_from_afar_ = std::max(slack_from_afar_, 2 * static_cast<float>(slack));
     }
     tree_ = wide::built(rounded, isa);
+    single_ = skip && boxes.size() == 1 && unbounded_.empty();
 }
 
 std::uint64_t World::bytes() const {
@@ -135,12 +136,9 @@ float World::slack_for(const Vec3d& origin) const {
 
 void World::walk(const Ray& ray, float limit, float (*each)(void*, std::uint32_t), void* with,
                  WorkCounts& work) const {
+    ++work.searches;
     for (const NodeId node : unbounded_) limit = each(with, node);
     if (limit == -std::numeric_limits<float>::infinity()) return;
-    if (bounded_.size() == 1) {  // its own tree says no as quickly as its box
-        each(with, bounded_[0]);
-        return;
-    }
     if (bounded_.empty()) return;
     const ObjectRay relative =
         object_ray({ray.origin - centre_, ray.direction, ray.t_min, ray.t_max});
@@ -163,6 +161,7 @@ void World::walk(const Ray& ray, float limit, float (*each)(void*, std::uint32_t
 bool World::walk(const RayPacket& rays, const float* limits, void (*each)(void*, std::uint32_t),
                  void* with, WorkCounts& work) const {
     if (!all_finite(rays.origin)) return true;
+    ++work.searches;
     for (const NodeId node : unbounded_) each(with, node);
     if (bounded_.empty()) return true;
     const PacketBounds bounds(rays, centre_);

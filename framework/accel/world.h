@@ -10,12 +10,17 @@ namespace luch {
 /// after, so a node is never lost. Keeps a reference to the scene.
 class World {
  public:
-    World(const Scene& scene, Isa isa);
+    /// `skip`: where there is but one node, it is not searched for.
+    World(const Scene& scene, Isa isa, bool skip);
 
     /// Calls visit(node) for the nodes that a ray may meet before `limit`, near to far as far as
     /// their boxes tell; it returns the limit from then on, −∞ to end it.
     template <class Visit>
     void visit(const Ray& ray, float limit, Visit&& visit, WorkCounts& work) const {
+        if (single_) {  // its own tree says no as quickly as its box
+            visit(bounded_[0]);
+            return;
+        }
         const auto call = [](void* with, std::uint32_t node) {
             return (*static_cast<std::remove_reference_t<Visit>*>(with))(node);
         };
@@ -27,6 +32,10 @@ class World {
     /// nodes are left.
     template <class Visit>
     bool visit(const RayPacket& rays, const float* limits, Visit&& visit, WorkCounts& work) const {
+        if (single_) {
+            visit(bounded_[0]);
+            return true;
+        }
         const auto call = [](void* with, std::uint32_t node) {
             (*static_cast<std::remove_reference_t<Visit>*>(with))(node);
         };
@@ -46,6 +55,7 @@ class World {
 
     std::vector<NodeId> unbounded_, bounded_;
     Vec3d centre_{0};
+    bool single_ = false;        ///< there is one node, bounded, and it needs no search
     wide::Tree tree_;            ///< over the boxes of bounded_
     float slack_from_afar_ = 0;  ///< more slack, for rays that start far outside
     const wide::Kernels* kernels_;

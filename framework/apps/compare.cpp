@@ -3,6 +3,8 @@
 #include "framework/base/error.h"
 #include "framework/base/text.h"
 #include "framework/measure/difference.h"
+#include "framework/measure/flip.h"
+#include "framework/measure/magma.h"
 #include "framework/measure/metrics.h"
 #include "framework/measure/numbers.h"
 #include "framework/measure/report_json.h"
@@ -66,6 +68,28 @@ Limit limit_of(const std::string& text, bool above) {
     return {&metric, *value, above};
 }
 
+/// The metrics that a limit from above, or from below, may name.
+std::string names(bool higher_is_better) {
+    std::vector<std::string_view> all;
+    for (const auto& some : {metrics(), special_metrics()}) {
+        for (const Metric& metric : some) {
+            if (metric.higher_is_better == higher_is_better) all.push_back(metric.name);
+        }
+    }
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+/// "320,240": a place in pixels; those of the top-left one are 0..1.
+std::optional<Gaze> gaze_of(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    const std::vector<std::string> parts = split(text, ',');
+    const auto x = parsed_number(parts.front()), y = parsed_number(parts.back());
+    if (parts.size() != 2 || !x || !y) {
+        throw Error("--gaze \"" + text + "\": write X,Y in pixels, as in 320,240");
+    }
+    return Gaze{{*x, *y}};
+}
+
 class Compare final : public Verb {
  public:
     std::string_view name() const override { return "compare"; }
@@ -76,12 +100,14 @@ class Compare final : public Verb {
         return "  luch compare before.png after.png\n"
                "  luch compare baseline vista scenes/room/room.scene --difference out/off.png\n"
                "  luch compare vista homework/vista scenes/room/room.scene --json out/mine.json\n"
-               "  luch compare truth.exr fast.exr --fail-above rmse=0.01 --fail-above max=0.2\n"
-               "The first is the reference. Two .exr or .hdr files compare in linear light, all "
-               "else "
-               "as\ndisplayed (sRGB, clamped to 0..1), unless --linear or --displayed is given. A "
-               "picture is\n"
-               "told from a technique by the catalogue: write ./NAME for a file called as one.\n";
+               "  luch compare truth.exr fast.exr --fail-above rmse=0.01 --fail-above flip=0.05\n"
+               "  luch compare truth.png fast.png --flip-map out/flip.png --fail-below ssim=0.98\n"
+               "  luch compare truth.png foveated.png --gaze 320,240\n"
+               "The first is the reference. Two .exr or .hdr files compare in linear light (FLIP: "
+               "HDR),\nall else as displayed (sRGB, clamped to 0..1; FLIP: LDR at 67 pixels per "
+               "degree), unless\n--linear or --displayed is given. A pixel that is not finite "
+               "makes it fail.\nA picture is told from a technique by the catalogue: write ./NAME "
+               "for a file called as one.\n";
     }
     void declare(Arguments& arguments) override {
         arguments.positional("A", a_, "the reference: a picture or a technique");
@@ -91,10 +117,13 @@ class Compare final : public Verb {
         arguments.flag("--displayed", displayed_, "compare as displayed, also .exr and .hdr files");
         arguments.option("--difference", difference_, "FILE", "write |A − B|, amplified");
         arguments.option("--amplify", amplify_, "X", "by how much [10]");
+        arguments.option("--flip-map", flip_map_, "FILE",
+                         "write FLIP's error of every pixel, black for 0 to light yellow for 1");
+        arguments.option("--gaze", gaze_, "X,Y", "also weigh errors by acuity around this pixel");
         arguments.option("--fail-above", above_, "METRIC=VALUE",
-                         "exit with 1 when a metric is larger: rmse, relmse, max, p999");
+                         "exit with 1 when a metric is larger: " + names(false));
         arguments.option("--fail-below", below_, "METRIC=VALUE",
-                         "exit with 1 when a metric is smaller: psnr");
+                         "exit with 1 when a metric is smaller: " + names(true));
         arguments.option("--frames", frames_, "N", "time N frames of a technique [3]");
         arguments.option("--json", json_, "FILE", "write the result as JSON");
         options_.declare(arguments);
@@ -103,6 +132,10 @@ class Compare final : public Verb {
 
  private:
     [[nodiscard]] std::vector<Limit> limits() const;
+    [[nodiscard]] std::optional<Encoding> wanted_encoding(bool rendered) const;
+    /// Prints every limit that does not hold.
+    [[nodiscard]] bool within(const std::vector<Limit>& all, const Errors& errors) const;
+    void write_pictures(const ComparablePair& pair) const;
     [[nodiscard]] std::pair<Side, Side> sides() const;
     [[nodiscard]] Side rendered(const std::string& name, const Session& session,
                                 const Shot& shot) const;
@@ -112,7 +145,7 @@ class Compare final : public Verb {
     [[nodiscard]] Json json_of(const Side& a, const Side& b, const ComparablePair& pair,
                                const Errors& errors, bool passed) const;
 
-    std::string a_, b_, scene_, difference_, json_;
+    std::string a_, b_, scene_, difference_, flip_map_, gaze_, json_;
     std::vector<std::string> above_, below_;
     double amplify_ = 10;
     int frames_ = 3;
@@ -196,8 +229,12 @@ void Compare::report(const Side& a, const Side& b, const ComparablePair& pair,
     fmt::print("{} (the reference) and {}, {} × {}, {}\n\n", a.name, b.name, pair.image.width(),
                pair.image.height(), pair.why);
     if (a.outcome || b.outcome) report_costs(a, b);
-    for (const Metric& metric : metrics()) {
+    const auto print = [&](const Metric& metric) {
         fmt::print("{:<8}{:>12}   {}\n", metric.label, shown(metric, errors), metric.meaning);
+    };
+    for (const Metric& metric : metrics()) print(metric);
+    for (const Metric& metric : special_metrics()) {
+        if (!std::isnan(errors.*metric.value)) print(metric);
     }
     const std::uint64_t pixels = pair.image.size().area();
     if (errors.differing > 0) {
@@ -244,33 +281,57 @@ Json Compare::json_of(const Side& a, const Side& b, const ComparablePair& pair,
     return json.set("passed", passed);
 }
 
+/// A frame is compared as people see it, unless light itself is asked about.
+std::optional<Encoding> Compare::wanted_encoding(bool rendered) const {
+    if (linear_ && displayed_) throw Error("--linear and --displayed: choose one of the two");
+    if (linear_) return Encoding::linear;
+    if (displayed_ || rendered) return Encoding::srgb;
+    return std::nullopt;
+}
+
+bool Compare::within(const std::vector<Limit>& all, const Errors& errors) const {
+    bool fine = true;
+    for (const Limit& limit : all) {
+        if (limit.holds(errors)) continue;
+        const Metric& metric = *limit.metric;
+        if (std::isnan(errors.*metric.value) && !metric.needs.empty()) {
+            throw Error(
+                fmt::format("{0}: there is none here; it needs {1}", metric.name, metric.needs));
+        }
+        fine = false;
+        fmt::print("FAILED: {} is {}, {} {}\n", metric.name, shown(metric, errors),
+                   limit.above ? "above" : "below", limit.value);
+    }
+    return fine;
+}
+
+void Compare::write_pictures(const ComparablePair& pair) const {
+    const auto reference = pair.reference.view(), image = pair.image.view();
+    if (!difference_.empty()) {
+        write_displayed(difference_, amplified_difference(reference, image, amplify_).view());
+        fmt::print("{}: the difference, {} × amplified\n", difference_, amplify_);
+    }
+    if (flip_map_.empty()) return;
+    const bool hdr = pair.encoding == Encoding::linear;
+    const FlipResult flip = hdr ? flip_hdr(reference, image).flip : flip_ldr(reference, image);
+    write_displayed(flip_map_, in_magma(flip.map.view()).view());
+    fmt::print("{}: {}-FLIP of every pixel, black for 0 to light yellow for 1\n", flip_map_,
+               hdr ? "HDR" : "LDR");
+}
+
 int Compare::run() {
     if (frames_ < 1 || frames_ > 1000) throw Error("--frames: give 1 to 1000");
     if (!(amplify_ > 0 && std::isfinite(amplify_))) throw Error("--amplify: give more than 0");
     const std::vector<Limit> all_limits = limits();
+    const std::optional<Gaze> gaze = gaze_of(gaze_);
     const auto [a, b] = sides();
-    // A frame is compared as people see it, unless light itself is asked about.
-    std::optional<Encoding> wanted;
-    if (a.outcome || b.outcome) wanted = Encoding::srgb;
-    if (linear_ && displayed_) throw Error("--linear and --displayed: choose one of the two");
-    if (linear_) wanted = Encoding::linear;
-    if (displayed_) wanted = Encoding::srgb;
-    const ComparablePair pair = comparable(a.picture, b.picture, wanted);
-    const Errors errors = errors_between(pair.reference.view(), pair.image.view());
+    const ComparablePair pair =
+        comparable(a.picture, b.picture, wanted_encoding(a.outcome || b.outcome));
+    const Errors errors =
+        errors_between(pair.reference.view(), pair.image.view(), {pair.encoding, gaze});
     report(a, b, pair, errors);
-    bool passed = errors.non_finite.count == 0;
-    for (const Limit& limit : all_limits) {
-        if (limit.holds(errors)) continue;
-        passed = false;
-        fmt::print("FAILED: {} is {}, {} {}\n", limit.metric->name, shown(*limit.metric, errors),
-                   limit.above ? "above" : "below", limit.value);
-    }
-    if (!difference_.empty()) {
-        write_displayed(
-            difference_,
-            amplified_difference(pair.reference.view(), pair.image.view(), amplify_).view());
-        fmt::print("{}: the difference, {} × amplified\n", difference_, amplify_);
-    }
+    const bool passed = within(all_limits, errors) && errors.non_finite.count == 0;
+    write_pictures(pair);
     if (!json_.empty()) json_of(a, b, pair, errors, passed).write(json_);
     return passed ? 0 : 1;
 }

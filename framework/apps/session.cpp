@@ -56,6 +56,8 @@ void SceneOptions::declare(Arguments& arguments) {
     arguments.flag("--strict", strict, "warnings about the scene file are errors");
     arguments.flag("--no-skip", no_skip,
                    "run every stage, also those that the scene does not need");
+    arguments.option("--force", forced, "STAGE",
+                     "run this stage of the plan, needed or not (luch plan lists them)");
 }
 
 Camera moved_camera(Camera camera, const std::string& text, const std::string& option) {
@@ -92,6 +94,13 @@ Size parsed_size(const std::string& text) {
     return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1])};
 }
 
+/// Whether a stage is forced that the accelerator would leave out.
+bool forces_accelerator(const std::vector<std::string>& forced) {
+    return std::ranges::any_of(forced, [](const std::string& stage) {
+        return stage == name_of(Part::transforms).name || stage == name_of(Part::scene_tree).name;
+    });
+}
+
 Session::Session(const std::string& scene_file, const SceneOptions& options)
     : workers_(checked_threads(options.threads)) {
     if (options.spp < 0 || options.spp > 1'000'000) {
@@ -108,7 +117,8 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
     files_ = std::move(loaded.files);
     load_ms_ = ms_since(loading);
     const auto building = std::chrono::steady_clock::now();
-    accelerator_ = build_accelerator(*scene_, parsed_isa(""), backend);
+    accelerator_ = build_accelerator(*scene_, parsed_isa(""), backend,
+                                     !options.no_skip && !forces_accelerator(options.forced));
     build_ms_ = ms_since(building);
     shot_ = shot_of(*scene_);
     if (!options.size.empty()) shot_.size = parsed_size(options.size);
@@ -117,6 +127,7 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
     shot_.spp = options.spp;
     shot_.seed = options.seed;
     budget_.skip = !options.no_skip;
+    budget_.forced = options.forced;
 }
 
 std::string default_technique(const Scene& scene) {

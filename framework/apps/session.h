@@ -22,6 +22,7 @@ struct SceneOptions {
     std::string backend = "luch";
     bool strict = false;
     bool no_skip = false;
+    std::vector<std::string> forced;  ///< stages
 
     void declare(Arguments& arguments);
 };

@@ -12,13 +12,12 @@ class Baseline final : public Technique {
     }
 
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
-        const WhittedNeeds needs = whitted_needs(context.plan());
-        const bool lens = context.plan().needed("lens");
+        const Needs needs = needs_of(context.plan());
         const auto colour = frame.colour.view();
         context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-            trace_tile(scene, shot, tile, needs, lens, context.tracer(worker), colour);
+            trace_tile(scene, shot, tile, needs, context.tracer(worker), colour);
         });
-        if (context.plan().needed("anti-aliasing") && may_antialias(shot)) {
+        if (needs[Part::anti_aliasing] && may_antialias(shot)) {
             antialias(scene, shot, needs, context, colour);
         }
     }

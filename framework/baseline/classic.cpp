@@ -8,23 +8,6 @@ namespace {
 /// What a sample's key is used for.
 constexpr std::uint64_t radiance = 1;
 
-bool has_texture(const Material& material) {
-    if (const auto* lambert = std::get_if<Lambert>(&material))
-        return lambert->texture != no_texture;
-    if (const auto* phong = std::get_if<Phong>(&material)) return phong->texture != no_texture;
-    if (const auto* layered = std::get_if<Layered>(&material)) {
-        return std::any_of(layered->layers.begin(), layered->layers.end(),
-                           [](const auto& layer) { return layer.texture != no_texture; });
-    }
-    return false;
-}
-
-Stage stage(std::string name, bool needed, std::string because_needed, std::string because_not,
-            Stage::Kind kind = Stage::exact) {
-    return {std::move(name), needed, kind,
-            needed ? std::move(because_needed) : std::move(because_not)};
-}
-
 template <class Work>
 void for_each_pixel(const Tile& tile, Work&& work) {
     constexpr int block = 4;
@@ -82,43 +65,14 @@ bool is_edge(ImageView<const Rgb> image, int x, int y) {
 
 }  // namespace
 
-std::vector<Stage> classic_stages(const Scene& scene, const Shot& shot) {
-    const bool textures = std::any_of(scene.materials.begin(), scene.materials.end(), has_texture);
-    const bool bumps = std::any_of(scene.nodes.begin(), scene.nodes.end(),
-                                   [](const Node& node) { return node.bump != no_texture; });
-    const bool adaptive = may_antialias(shot) && scene.settings.anti_aliasing;
-    return {
-        stage("texture coordinates", textures, "a material has a texture",
-              "no material has a texture"),
-        stage("bump", bumps, "a node has a bump", "no node has a bump"),
-        stage("dark shadow rays", false, "",
-              "where n·l ≤ 0 or a light is black, what is in between does not matter"),
-        stage("lens", shot.camera.has_lens(), "the camera has a thin lens (dof)",
-              "the camera is a pinhole: all rays leave from one point of the lens"),
-        stage("anti-aliasing", adaptive, "the scene asks for it (wantAA)",
-              shot.spp > 0             ? "the number of samples is given (--spp)"
-              : shot.camera.has_lens() ? "the lens samples lie all over the pixel"
-                                       : "the scene does not ask for it (wantAA)",
-              Stage::heuristic),
-    };
-}
-
-bool may_antialias(const Shot& shot) {
-    return shot.spp == 0 && !shot.camera.has_lens();
-}
-
-WhittedNeeds whitted_needs(const Plan& plan) {
-    return {.surface = {.uv = plan.needed("texture coordinates"), .bump = plan.needed("bump")},
-            .dark_shadow_rays = plan.needed("dark shadow rays")};
-}
-
-void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
-                bool lens, Tracer& tracer, ImageView<Rgb> colour) {
+void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
+                Tracer& tracer, ImageView<Rgb> colour) {
     const Screen screen(shot.camera, shot.size);
     const Whitted whitted(scene, needs, tracer);
     const int samples = sample_count(shot);
     TileRays tile_rays;
     std::vector<Hit> hits;
+    const bool lens = needs[Part::lens];
     for_each_pixel(tile, [&](int x, int y) { colour(x, y) = Rgb(0); });
     for (int sample = 0; sample < samples; ++sample) {
         tile_rays.clear();
@@ -126,6 +80,7 @@ void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Wh
             tile_rays.add(x, y, primary_ray(screen, shot, x, y, sample, samples, lens),
                           sample_key(shot, x, y, sample).branch(radiance));
         });
+        if (lens) tracer.counts().did(Part::lens, tile_rays.rays.size());
         hits.resize(tile_rays.rays.size());
         tracer.closest(RayKind::primary, tile_rays.rays, hits);
         tile_rays.shade(whitted, hits, colour);
@@ -134,7 +89,7 @@ void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Wh
     for_each_pixel(tile, [&](int x, int y) { colour(x, y) /= static_cast<float>(samples); });
 }
 
-void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const WhittedNeeds& needs,
+void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
                 Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour) {
     const Screen screen(shot.camera, shot.size);
     TileRays tile_rays;
@@ -148,7 +103,7 @@ void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Wh
     tile_rays.shade(Whitted(scene, needs, tracer), found, colour);
 }
 
-void antialias(const Scene& scene, const Shot& shot, const WhittedNeeds& needs, Context& context,
+void antialias(const Scene& scene, const Shot& shot, const Needs& needs, Context& context,
                ImageView<Rgb> colour) {
     // The edges are found in the picture as it was, whatever the order of the tiles.
     Image<std::uint8_t> edges(colour.size());
@@ -158,6 +113,7 @@ void antialias(const Scene& scene, const Shot& shot, const WhittedNeeds& needs, 
     const Screen screen(shot.camera, shot.size);
     constexpr std::array<Vec2d, 4> around{Vec2d{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
     context.for_each_tile(colour.size(), [&](Tile tile, int worker) {
+        context.tracer(worker).counts().did(Part::anti_aliasing, tile.area());
         const Whitted whitted(scene, needs, context.tracer(worker));
         for_each_pixel(tile, [&](int x, int y) {
             if (edges(x, y) == 0) return;

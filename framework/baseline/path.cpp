@@ -1,6 +1,7 @@
 #include "framework/trace/path.h"
 
-#include "framework/baseline/classic.h"
+#include "framework/baseline/stages.h"
+#include "framework/technique/context.h"
 #include "framework/math/spread.h"
 #include "framework/technique/catalogue.h"
 
@@ -68,7 +69,9 @@ class Path final : public Technique {
                       -1, 1'000'000);
     }
 
-    Plan plan(const Scene& scene, const Shot& shot) const override;
+    Plan plan(const Scene& scene, const Shot& shot) const override {
+        return {.applies = true, .why = "", .stages = path_stages(scene, shot)};
+    }
 
     void prepare(const Scene& scene, const Shot&, Context&) override { lights_.emplace(scene); }
 
@@ -88,36 +91,6 @@ class Path final : public Technique {
     int depth_ = -1;
     std::optional<PathLights> lights_;
 };
-
-PathNeeds path_needs(const Plan& plan) {
-    const WhittedNeeds classic = whitted_needs(plan);
-    return {.surface = classic.surface,
-            .placed_lights = plan.needed("placed lights"),
-            .distant_lights = plan.needed("distant lights"),
-            .sky = plan.needed("sky"),
-            .dark_shadow_rays = classic.dark_shadow_rays};
-}
-
-Plan Path::plan(const Scene& scene, const Shot& shot) const {
-    Plan plan{.applies = true, .why = "", .stages = classic_stages(scene, shot)};
-    std::erase_if(plan.stages, [](const Stage& stage) { return stage.name == "anti-aliasing"; });
-    const auto stage = [&](std::string name, bool needed, std::string what) {
-        const std::string why = (needed ? "the scene has " : "the scene has no ") + what;
-        plan.stages.push_back({std::move(name), needed, Stage::exact, why});
-    };
-    const auto is_distant = [](const Light& light) {
-        return std::holds_alternative<DirectionalLight>(light);
-    };
-    const auto& lights = scene.lights;
-    const bool distant = std::any_of(lights.begin(), lights.end(), is_distant);
-    const bool placed = !std::all_of(lights.begin(), lights.end(), is_distant);
-    const bool pictured =
-        scene.environment && std::holds_alternative<CubemapEnvironment>(*scene.environment);
-    stage("placed lights", placed, "lights that have a place");
-    stage("distant lights", distant, "directional lights");
-    stage("sky", pictured || sky_radiance(scene, {0, 1, 0}) != Rgb(0), "light from its sky");
-    return plan;
-}
 
 /// One group of samples, added to the estimates of a tile's pixels.
 struct Group {
@@ -153,8 +126,7 @@ struct Group {
 };
 
 void Path::render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) {
-    const PathNeeds needs = path_needs(context.plan());
-    const bool lens_needed = context.plan().needed("lens");
+    const Needs needs = needs_of(context.plan());
     const int samples = samples_of(scene, shot), groups = groups_of(samples);
     const Screen screen(shot.camera, shot.size);
     auto& error = frame.plane<Rgb>("standard error", PlaneKind::colour, "radiance");
@@ -164,7 +136,7 @@ void Path::render(const Scene& scene, const Shot& shot, Frame& frame, Context& c
         const int here = (samples - before) / (groups - group);
         context.for_each_tile(shot.size, [&](Tile tile, int worker) {
             PathTracer tracer(scene, *lights_, settings(scene), needs, context.tracer(worker));
-            const Group work{shot, screen, tracer, lens_needed, group, here, before, samples};
+            const Group work{shot, screen, tracer, needs[Part::lens], group, here, before, samples};
             for (int y = tile.y0; y < tile.y1; ++y) {
                 for (int x = tile.x0; x < tile.x1; ++x) {
                     Estimate& estimate = estimates(x, y);

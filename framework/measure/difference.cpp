@@ -1,10 +1,8 @@
 #include "framework/measure/difference.h"
 
-#include "framework/base/error.h"
 #include "framework/base/text.h"
 #include "framework/image/io.h"
-
-#include <fmt/format.h>
+#include "framework/measure/paired.h"
 
 #include <array>
 #include <cmath>
@@ -20,13 +18,6 @@ const Rgb not_finite(1, 0, 1);
 const std::array<Rgb, 6> ramp{Rgb(0.05f, 0.08f, 0.30f), Rgb(0.28f, 0.12f, 0.55f),
                               Rgb(0.67f, 0.18f, 0.45f), Rgb(0.94f, 0.42f, 0.20f),
                               Rgb(0.99f, 0.78f, 0.25f), Rgb(1.00f, 1.00f, 0.95f)};
-
-void check_sizes(Size a, Size b) {
-    if (a != b) {
-        throw Error(fmt::format("the images differ in size, {}x{} and {}x{}", a.width, a.height,
-                                b.width, b.height));
-    }
-}
 
 /// Calls colour_of(|a − b|) for every pixel.
 template <class ColourOf>

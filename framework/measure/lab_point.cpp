@@ -1,6 +1,7 @@
 #include "framework/measure/lab_point.h"
 
 #include "framework/measure/difference.h"
+#include "framework/measure/reference.h"
 
 #include <algorithm>
 
@@ -38,7 +39,7 @@ LabPoint point_of(const Measurement& measurement, const TruthPicture& truth,
     const Image<Rgb>& linear = outcome.frame.colour;
     const Image<Rgb> shown = displayed(linear.view());
     point.errors = errors_between(truth.shown.view(), shown.view());
-    point.linear_rmse = errors_between(truth.linear.view(), linear.view()).rmse;
+    point.linear_rmse = rmse_between(truth.linear, linear);
     point.identical = linear == truth.linear;
     if (converged != nullptr) {
         point.converged = errors_between(converged->shown.view(), shown.view());

@@ -41,6 +41,10 @@ class ReferenceCache {
     std::string content_;
 };
 
+/// √ mean (b − a)² over every channel of the pixels that are finite in both: what errors_between()
+/// calls RMSE, without the other metrics, which take long. 0 when there are none.
+double rmse_between(const Image<Rgb>& a, const Image<Rgb>& b);
+
 /// The mean picture of two, and its standard error. Throws Error when they differ in size.
 Reference reference_of_halves(const Image<Rgb>& a, const Image<Rgb>& b);
 

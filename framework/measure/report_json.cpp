@@ -2,6 +2,8 @@
 
 #include "framework/measure/findings.h"
 
+#include <cmath>
+
 namespace luch {
 namespace {
 
@@ -172,6 +174,11 @@ Json rays_json(const Counts& counts) {
 
 Json errors_json(const Errors& errors, Json json) {
     for (const Metric& metric : metrics()) json.set(metric.name, errors.*metric.value);
+    for (const Metric& metric : special_metrics()) {
+        const double value = errors.*metric.value;
+        if (!std::isnan(value)) json.set(metric.name, value);
+    }
+    json.set("flip_kind", errors.encoding == Encoding::linear ? "hdr" : "ldr");
     json.set("differing_pixels", errors.differing).set("non_finite", errors.non_finite.count);
     if (errors.max_at.x >= 0) {
         json.set("max_at", Json::array().push(errors.max_at.x).push(errors.max_at.y));

@@ -10,8 +10,9 @@ namespace luch {
 /// {primary, shadow, reflection, refraction, glossy, gi}.
 Json rays_json(const Counts& counts);
 
-/// Adds every metric by its name, then differing_pixels, non_finite and, where there is one, the
-/// place of the largest error. An infinite PSNR is null.
+/// Adds every metric by its name (special ones where they are numbers), then flip_kind ("ldr",
+/// "hdr"), differing_pixels, non_finite and, where there is one, the place of the largest error. An
+/// infinite PSNR is null.
 Json errors_json(const Errors& errors, Json object = Json::object());
 
 /// [{stage, exact, kind, why}] of what was left out.

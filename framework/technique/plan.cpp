@@ -1,5 +1,8 @@
 #include "framework/technique/plan.h"
 
+#include "framework/base/error.h"
+#include "framework/base/text.h"
+
 #include <stdexcept>
 
 namespace luch {
@@ -21,6 +24,19 @@ bool Plan::needed(std::string_view stage) const {
         if (candidate.name == stage) return candidate.needed;
     }
     throw std::logic_error("no stage \"" + std::string(stage) + "\" in this plan");
+}
+
+void Plan::need(std::string_view stage) {
+    std::vector<std::string_view> names;
+    for (Stage& candidate : stages) {
+        if (candidate.name == stage) {
+            candidate.needed = true;
+            return;
+        }
+        names.push_back(candidate.name);
+    }
+    throw Error("no stage \"" + std::string(stage) + "\" in this plan: " +
+                did_you_mean(stage, names));
 }
 
 void Plan::need_all() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,8 @@ struct Stage {
     Kind kind = exact;
     std::string why;
     float bound = 0;
+    std::uint64_t work = 0;   ///< after a run: how often it was at work in a frame
+    std::string worked_on{};  ///< what was counted: "points", "rays"…; "" where nothing was
 };
 
 std::string_view to_string(Stage::Kind kind);
@@ -30,6 +33,8 @@ struct Plan {
     [[nodiscard]] bool needed(std::string_view stage) const;
     /// Forces every stage on (--no-skip).
     void need_all();
+    /// Forces one on. Throws Error that lists the nearest names.
+    void need(std::string_view stage);
 };
 
 }  // namespace luch

@@ -37,12 +37,24 @@ int frames_worth(int asked, double first_ms) {
     return first_ms > 2'000 ? std::min(asked, 3) : asked;
 }
 
+/// Tells the plan's stages how often they were at work.
+void count_work(Plan& plan, const Counts& counts) {
+    for (std::size_t i = 0; i < part_names.size(); ++i) {
+        for (Stage& stage : plan.stages) {
+            if (stage.name != part_names[i].name) continue;
+            stage.work = counts.of(static_cast<Part>(i));
+            stage.worked_on = part_names[i].counted;
+        }
+    }
+}
+
 /// With one eye.
 Outcome run_once(Technique& technique, const Studio& studio, const Shot& shot, const Budget& budget,
                  Repeat repeat, const CancelToken* cancel, const std::optional<Watch>& watch) {
     Outcome outcome;
     outcome.plan = technique.plan(studio.scene, shot);
     if (!budget.skip) outcome.plan.need_all();
+    for (const std::string& stage : budget.forced) outcome.plan.need(stage);
     outcome.threads = studio.workers.count();
     if (!outcome.plan.applies) return outcome;
 
@@ -68,6 +80,7 @@ Outcome run_once(Technique& technique, const Studio& studio, const Shot& shot, c
         outcome.frame_ms.push_back(wall);
         outcome.cpu_ms.push_back(cpu);
     }
+    count_work(outcome.plan, outcome.counts);
     outcome.non_finite = non_finite_pixels(outcome.frame.colour.view());
     outcome.unwritten.assign(context.unwritten().begin(), context.unwritten().end());
     outcome.bytes = studio.accelerator.bytes();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "framework/accel/accelerator.h"
+#include "framework/trace/parts.h"
 
 #include <array>
 #include <cstdint>
@@ -22,12 +23,17 @@ struct Counts {
     std::uint64_t cells = 0;         ///< squares, texels… a technique's own unit of work
     WorkCounts work;
 
+    void did(Part part, std::uint64_t times = 1) { parts[static_cast<std::size_t>(part)] += times; }
+    /// How often a part was at work; what is counted, part_names says.
+    [[nodiscard]] std::uint64_t of(Part part) const;
     [[nodiscard]] std::uint64_t& of(RayKind kind) { return rays[static_cast<std::size_t>(kind)]; }
     [[nodiscard]] std::uint64_t of(RayKind kind) const {
         return rays[static_cast<std::size_t>(kind)];
     }
     [[nodiscard]] std::uint64_t all_rays() const;
     Counts& operator+=(const Counts& other);
+
+    std::array<std::uint64_t, part_names.size()> parts{};  ///< but scene_tree, which is in `work`
 };
 
 }  // namespace luch

@@ -21,8 +21,9 @@ std::vector<std::uint32_t> lit_points(const Scene& scene, std::span<const Hit> h
 }  // namespace
 
 KnownShadows::KnownShadows(const Scene& scene, std::span<const Surface> points,
-                           std::span<const Hit> hits, bool dark_rays, Tracer& tracer)
+                           std::span<const Hit> hits, const Needs& needs, Tracer& tracer)
     : points_(points.size()), answers_(points.size() * scene.lights.size(), Answer::not_asked) {
+    tracer.counts().did(Part::shared_shadows);
     const std::vector<std::uint32_t> lit = lit_points(scene, hits);
     std::vector<std::uint32_t> asked;
     std::vector<Ray> rays;
@@ -34,7 +35,9 @@ KnownShadows::KnownShadows(const Scene& scene, std::span<const Surface> points,
         for (const std::uint32_t point : lit) {
             // The light stands still: no random number is drawn for it.
             const LightSample sample = sample_of(scene.lights[light], 0, Key(0), points[point]);
-            if (is_dark(sample, points[point]) && !dark_rays) continue;
+            const bool dark = is_dark(sample, points[point]);
+            if (dark && !needs[Part::dark_shadow_rays]) continue;
+            if (dark) tracer.counts().did(Part::dark_shadow_rays);
             asked.push_back(point);
             rays.push_back(sample.shadow);
         }

@@ -15,9 +15,10 @@ class KnownShadows {
     enum class Answer : std::uint8_t { not_asked, lit, blocked };
 
     /// Shoots the shadow rays of the points whose material is diffuse or Phong; of others it is not
-    /// known whether they need any. `dark_rays`: also those that cannot change the picture.
+    /// known whether they need any. Those that cannot change the picture are left out with
+    /// Part::dark_shadow_rays.
     KnownShadows(const Scene& scene, std::span<const Surface> points, std::span<const Hit> hits,
-                 bool dark_rays, Tracer& tracer);
+                 const Needs& needs, Tracer& tracer);
 
     [[nodiscard]] Answer of(std::size_t light, std::size_t point) const {
         return answers_[light * points_ + point];

@@ -24,6 +24,11 @@ Vec3d PathTracer::radiance(const Ray& camera_ray, const Draw& draw) {
     return path.light;
 }
 
+bool PathTracer::at_work(Part part) {
+    if (needs_[part]) tracer_->counts().did(part);
+    return needs_[part];
+}
+
 bool PathTracer::step(Path& path, const Draw& draw) {
     const Hit hit = tracer_->closest(path.kind, path.ray);
     if (!hit) {
@@ -31,13 +36,14 @@ bool PathTracer::step(Path& path, const Draw& draw) {
         return false;
     }
     path.throughput = faded(path.throughput, path.medium, hit.t);
-    const std::uint32_t light = lights_->light_of(hit.node);
+    const std::uint32_t light =
+        at_work(Part::visible_lights) ? lights_->light_of(hit.node) : PathLights::no_light;
     if (light != PathLights::no_light) {
         meet_lamp(path, hit, light);
         return false;
     }
     if (path.depth > settings_.depth) return false;
-    surface_ = surface_at(*scene_, path.ray, hit, needs_.surface);
+    surface_ = surface_at(*scene_, path.ray, hit, needs_, tracer_->counts());
     bsdf_.set(*scene_, surface_, path.ray.direction, material_of(*scene_, hit), path.medium);
     path.light += path.throughput * bsdf_.emitted();
     if (bsdf_.scatters()) {
@@ -55,8 +61,10 @@ void PathTracer::meet_sky(Path& path) const {
     path.light += path.throughput * light * bsdf_weight(path.pdf, pdf);
 }
 
-void PathTracer::meet_lamp(Path& path, const Hit& hit, std::uint32_t light) const {
-    const Surface face = surface_at(*scene_, path.ray, hit, {.uv = false, .bump = false});
+void PathTracer::meet_lamp(Path& path, const Hit& hit, std::uint32_t light) {
+    Needs needs(false);
+    needs[Part::transforms] = needs_[Part::transforms];
+    const Surface face = surface_at(*scene_, path.ray, hit, needs, tracer_->counts());
     if (face.front) return;
     const RectSampler& rect = lights_->rect(light);
     double pdf = 0;
@@ -94,9 +102,9 @@ bool PathTracer::go_on(Path& path, const Draw& draw) {
 Vec3d PathTracer::direct(const Draw& draw, const Refraction* medium) {
     ++tracer_->counts().shades;
     Vec3d light(0);
-    if (needs_.placed_lights) light += from_placed(draw, medium);
-    if (needs_.distant_lights) light += from_distant(draw);
-    if (needs_.sky && !lights_->sky().black() && settings_.sampling != PathSampling::bsdf) {
+    if (at_work(Part::placed_lights)) light += from_placed(draw, medium);
+    if (at_work(Part::distant_lights)) light += from_distant(draw);
+    if (at_work(Part::sky) && !lights_->sky().black() && settings_.sampling != PathSampling::bsdf) {
         light += from_sky(draw.pair(sky_direction));
     }
     return light;
@@ -165,7 +173,7 @@ Vec3d PathTracer::from_sky(const Vec2d& square) {
 
 Vec3d PathTracer::unless_blocked(const Vec3d& light, const Ray& shadow) {
     const bool dark = light == Vec3d(0);
-    if (dark && !needs_.dark_shadow_rays) return Vec3d(0);
+    if (dark && !at_work(Part::dark_shadow_rays)) return Vec3d(0);
     const bool blocked = tracer_->occluded(RayKind::shadow, shadow);
     return dark || blocked ? Vec3d(0) : light;
 }

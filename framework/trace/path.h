@@ -21,16 +21,6 @@ struct PathSettings {
     int depth = 8;         ///< the camera ray has depth 0; see PathTracer::radiance
 };
 
-/// What a scene needs. Leaving out what it does not need never changes a bit of the picture.
-struct PathNeeds {
-    SurfaceNeeds surface;
-    bool placed_lights = true;
-    bool distant_lights = true;
-    bool sky = true;
-    /// True: shadow rays are shot even where nothing can come from, and change nothing.
-    bool dark_shadow_rays = true;
-};
-
 /// Follows paths from the camera to the lights (Kajiya, "The Rendering Equation", 1986). At every
 /// vertex a point of one light, a directional light and a direction of the sky are sampled, and the
 /// path goes on as the BSDF says; what it meets by chance is weighed against what sampling finds.
@@ -41,7 +31,7 @@ struct PathNeeds {
 class PathTracer {
  public:
     PathTracer(const Scene& scene, const PathLights& lights, const PathSettings& settings,
-               const PathNeeds& needs, Tracer& tracer)
+               const Needs& needs, Tracer& tracer)
         : scene_(&scene), lights_(&lights), settings_(settings), needs_(needs), tracer_(&tracer) {}
 
     /// One sample of the light that comes back along a camera ray (direction of unit length).
@@ -63,9 +53,11 @@ class PathTracer {
         double pdf = 0;
         int depth = 0;
     };
+    /// A part that is counted when it is needed.
+    bool at_work(Part part);
     bool step(Path& path, const Draw& draw);
     void meet_sky(Path& path) const;
-    void meet_lamp(Path& path, const Hit& hit, std::uint32_t light) const;
+    void meet_lamp(Path& path, const Hit& hit, std::uint32_t light);
     bool go_on(Path& path, const Draw& draw);
 
     [[nodiscard]] Vec3d direct(const Draw& draw, const Refraction* medium);
@@ -84,7 +76,7 @@ class PathTracer {
     const Scene* scene_;
     const PathLights* lights_;
     PathSettings settings_;
-    PathNeeds needs_;
+    Needs needs_;
     Tracer* tracer_;
     Surface surface_;  ///< of the vertex at hand
     Bsdf bsdf_;

@@ -16,27 +16,60 @@ Vec3d turned_against(const Vec3d& normal, const Vec3d& direction) {
     return glm::dot(normal, direction) > 0 ? -normal : normal;
 }
 
+/// A normal that a node's bump tilts.
+Vec3d bumped(const Scene& scene, const Node& node, const Hit& hit, const Vec2d& uv,
+             const Vec3d& normal) {
+    const Tangents along = local_tangents(scene.geometries[node.geometry], hit);
+    if (node.bump == no_texture) return normal;
+    const Vec2d tilt = tilt_at(scene.textures[node.bump], uv);
+    const Vec3d tilted = normal + tilt.x * direction_of(node.to_world.direction(along.u)) +
+                         tilt.y * direction_of(node.to_world.direction(along.v));
+    return max_norm(tilted) > 0 ? glm::normalize(tilted) : normal;
+}
+
+/// A part that is counted when it is needed.
+bool at_work(Part part, const Needs& needs, Counts& counts) {
+    if (!needs[part]) return false;
+    counts.did(part);
+    return true;
+}
+
+/// What looks at single kinds of shapes, for the counts.
+void count_shape(const Geometry& geometry, const Needs& needs, Counts& counts) {
+    if (needs[Part::solids] && std::holds_alternative<Csg>(geometry)) counts.did(Part::solids);
+    if (needs[Part::heightfields] && std::holds_alternative<Heightfield>(geometry)) {
+        counts.did(Part::heightfields);
+    }
+}
+
 }  // namespace
 
-Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, const SurfaceNeeds& needs) {
-    const Node& node = scene.nodes[hit.node];
-    const Ray object = to_object(ray, node);
-    const LocalSurface local = local_surface(scene.geometries, node.geometry, object, hit);
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit) {
+    Counts not_counted;
+    return surface_at(scene, ray, hit, Needs(), not_counted);
+}
 
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, const Needs& needs,
+                   Counts& counts) {
+    const Node& node = scene.nodes[hit.node];
+    count_shape(scene.geometries[node.geometry], needs, counts);
+    const bool moved = at_work(Part::transforms, needs, counts);
+    const bool smooth = at_work(Part::smooth_normals, needs, counts);
+    const LocalSurface local = local_surface(scene.geometries, node.geometry,
+                                             moved ? to_object(ray, node) : ray, hit, smooth);
+    const auto normal_in_world = [&](const Vec3d& n) {
+        return direction_of(moved ? node.to_object.normal_back(n) : n);
+    };
     Surface surface;
     surface.node = hit.node;
-    surface.position = node.to_world.point(local.position);
-    if (needs.uv) surface.uv = local.uv;
-    const Vec3d geometric = direction_of(node.to_object.normal_back(local.geometric_normal));
-    Vec3d normal = direction_of(node.to_object.normal_back(local.normal));
-    if (normal == Vec3d(0)) normal = geometric;
-    if (needs.bump && node.bump != no_texture) {
-        const Vec2d tilt = tilt_at(scene.textures[node.bump], local.uv);
-        const Vec3d tilted = normal +
-                             tilt.x * direction_of(node.to_world.direction(local.tangent_u)) +
-                             tilt.y * direction_of(node.to_world.direction(local.tangent_v));
-        if (max_norm(tilted) > 0) normal = glm::normalize(tilted);
+    surface.position = moved ? node.to_world.point(local.position) : local.position;
+    if (at_work(Part::texture_coordinates, needs, counts)) {
+        surface.uv = local_uv(scene.geometries, node.geometry, local, hit);
     }
+    const Vec3d geometric = normal_in_world(local.geometric_normal);
+    Vec3d normal = normal_in_world(local.normal);
+    if (normal == Vec3d(0)) normal = geometric;
+    if (at_work(Part::bump, needs, counts)) normal = bumped(scene, node, hit, surface.uv, normal);
     surface.front = glm::dot(geometric, ray.direction) < 0;
     surface.geometric_normal = turned_against(geometric, ray.direction);
     surface.normal = turned_against(normal, ray.direction);

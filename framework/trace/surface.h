@@ -2,14 +2,9 @@
 
 #include "framework/math/ray.h"
 #include "framework/scene/scene.h"
+#include "framework/trace/counts.h"
 
 namespace luch {
-
-/// What must be known of a surface point, so that the rest need not be computed.
-struct SurfaceNeeds {
-    bool uv = true;
-    bool bump = true;
-};
 
 /// A point of a surface, in world space.
 struct Surface {
@@ -26,9 +21,11 @@ struct Surface {
     double error_per_distance = 0;
 };
 
-/// The surface at a hit.
-Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit,
-                   const SurfaceNeeds& needs = {});
+/// The surface at a hit, with what is needed of it; counts each part that was at work.
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit, const Needs& needs,
+                   Counts& counts);
+/// With all there is.
+Surface surface_at(const Scene& scene, const Ray& ray, const Hit& hit);
 
 /// The ray that leaves a surface point in a direction; its origin is moved off the surface, to the
 /// side that the direction points to.

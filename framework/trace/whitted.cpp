@@ -40,13 +40,12 @@ struct MaterialShader {
     }
 
     Rgb operator()(const Reflection& material) const {
-        if (material.multiplier == Rgb(0)) return Rgb(0);
+        if (!looks_into(material.multiplier, Part::mirrors)) return Rgb(0);
         const Key bounce = key.branch(reflection);
         if (material.glossiness >= 1) {
-            return material.multiplier *
-                   tracer.radiance(RayKind::reflection,
-                                   leaving(surface, mirrored(ray.direction, surface.normal)),
-                                   bounce, depth + 1, medium);
+            const Ray mirror = leaving(surface, mirrored(ray.direction, surface.normal));
+            return times(material.multiplier,
+                         tracer.radiance(RayKind::reflection, mirror, bounce, depth + 1, medium));
         }
         // A glossy reflection in a glossy reflection takes one ray, or their number would explode.
         const int count = kind == RayKind::glossy ? 1 : material.samples;
@@ -57,17 +56,18 @@ struct MaterialShader {
             sum += tracer.radiance(RayKind::glossy, leaving(surface, glossy(radius, sample)),
                                    sample, depth + 1, medium);
         }
-        return material.multiplier * sum / static_cast<float>(count);
+        return times(material.multiplier, sum) / static_cast<float>(count);
     }
 
     Rgb operator()(const Refraction& material) const {
-        if (material.multiplier == Rgb(0)) return Rgb(0);
+        if (!looks_into(material.multiplier, Part::clear_things)) return Rgb(0);
         const double ratio = surface.front ? 1 / material.ior : material.ior;
         const auto bent = refracted(glm::normalize(ray.direction), surface.normal, ratio);
         if (!bent) return Rgb(0);
-        return material.multiplier * tracer.radiance(RayKind::refraction, leaving(surface, *bent),
-                                                     key.branch(refraction), depth + 1,
-                                                     surface.front ? &material : nullptr);
+        return times(
+            material.multiplier,
+            tracer.radiance(RayKind::refraction, leaving(surface, *bent), key.branch(refraction),
+                            depth + 1, surface.front ? &material : nullptr));
     }
 
     Rgb operator()(const Layered& material) const {
@@ -75,11 +75,11 @@ struct MaterialShader {
         for (std::size_t i = 0; i < material.layers.size(); ++i) {
             const auto& layer = material.layers[i];
             const Rgb blend = albedo(layer.blend, layer.texture);
-            if (blend == Rgb(0)) continue;
+            if (!looks_into(blend, Part::layers)) continue;
             const MaterialShader below{
                 tracer, scene, surface, ray, kind, key.branch(layers).branch(i), depth, medium};
-            colour = colour * (Rgb(1) - blend) +
-                     std::visit(below, scene.materials[layer.material]) * blend;
+            const Rgb light = std::visit(below, scene.materials[layer.material]);
+            colour = colour * (Rgb(1) - blend) + times(blend, light);
         }
         return colour;
     }
@@ -87,10 +87,27 @@ struct MaterialShader {
     Rgb operator()(const Const& material) const { return material.color; }
 
     Rgb operator()(const Emission& material) const {
+        counts().did(Part::visible_lights);
         return surface.front ? Rgb(0) : material.radiance;
     }
 
  private:
+    [[nodiscard]] Counts& counts() const { return tracer.tracer_->counts(); }
+    [[nodiscard]] bool needs(Part part) const { return tracer.needs_[part]; }
+
+    /// Whether a mirror, a clear thing or a layer of that colour is worth looking into.
+    bool looks_into(const Rgb& colour, Part part) const {
+        if (colour == Rgb(0)) part = Part::black_branches;
+        if (!needs(part)) return false;
+        counts().did(part);
+        return true;
+    }
+
+    /// Black stays black whatever the light, were it infinite.
+    static Rgb times(const Rgb& colour, const Rgb& light) {
+        return colour == Rgb(0) ? Rgb(0) : colour * light;
+    }
+
     Rgb albedo(const Rgb& color, TextureId texture) const {
         if (texture == no_texture) return color;
         const double cosine = glm::dot(surface.normal, ray.direction) / glm::length(ray.direction);
@@ -120,11 +137,14 @@ struct MaterialShader {
     /// factor of the light's colour.
     template <class Highlight>
     Rgb lit(const Rgb& albedo, Highlight&& highlight) const {
-        ++tracer.tracer_->counts().shades;
+        ++counts().shades;
         Rgb diffuse = scene.settings.ambient_light, specular(0);
+        if (!needs(Part::direct_light)) return albedo * diffuse + specular;
+        counts().did(Part::direct_light);
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-            const Key light_key = key.branch(lights).branch(i);
-            for (int s = 0; s < sample_count(scene.lights[i]); ++s) {
+            const int samples = sample_count(scene.lights[i]);
+            const Key light_key = sampling_key(i, samples);
+            for (int s = 0; s < samples; ++s) {
                 const LightSample sample = sample_of(scene.lights[i], s, light_key, surface);
                 add_light(i, sample, highlight, diffuse, specular);
             }
@@ -132,25 +152,39 @@ struct MaterialShader {
         return albedo * diffuse + specular;
     }
 
+    /// A light's random numbers; when no light of the scene needs any, not even the key is made.
+    Key sampling_key(std::size_t light, int samples) const {
+        if (!needs(Part::light_samples)) return Key(0);
+        counts().did(Part::light_samples, static_cast<std::uint64_t>(samples));
+        return key.branch(lights).branch(light);
+    }
+
     template <class Highlight>
     void add_light(std::size_t light, const LightSample& sample, Highlight&& highlight,
                    Rgb& diffuse, Rgb& specular) const {
         const bool dark = is_dark(sample, surface);
-        if (dark && !tracer.needs_.dark_shadow_rays) return;
-        const bool blocked = is_blocked(light, sample.shadow);
+        if (dark && !needs(Part::dark_shadow_rays)) return;
+        const bool blocked = is_blocked(light, sample.shadow, dark);
         if (dark || blocked) return;
         const double cosine = glm::dot(surface.normal, sample.to_light);
         diffuse += sample.irradiance * static_cast<float>(cosine);
         specular += sample.highlight * highlight(sample.to_light);
     }
 
-    bool is_blocked(std::size_t light, const Ray& shadow) const {
+    bool is_blocked(std::size_t light, const Ray& shadow, bool dark) const {
         using Answer = KnownShadows::Answer;
         const Answer known = shadows != nullptr ? shadows->of(light, point) : Answer::not_asked;
         if (known != Answer::not_asked) return known == Answer::blocked;
+        if (dark) counts().did(Part::dark_shadow_rays);
         return tracer.tracer_->occluded(RayKind::shadow, shadow);
     }
 };
+
+Rgb Whitted::sky(const Ray& ray) const {
+    if (!needs_[Part::environment]) return scene_->settings.background;
+    tracer_->counts().did(Part::environment);
+    return sky_radiance(*scene_, ray.direction);
+}
 
 Rgb Whitted::radiance(RayKind kind, const Ray& ray, Key key, int depth,
                       const Refraction* medium) const {
@@ -163,10 +197,10 @@ Rgb Whitted::radiance(RayKind kind, const Ray& ray, Key key, int depth,
 
 Rgb Whitted::shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth,
                    const Refraction* medium) const {
-    if (!hit) return sky_radiance(*scene_, ray.direction);
+    if (!hit) return sky(ray);
     RayLog::Branch branch(tracer_->log());
     branch.follow();
-    const Surface surface = surface_at(*scene_, ray, hit, needs_.surface);
+    const Surface surface = surface_at(*scene_, ray, hit, needs_, tracer_->counts());
     return std::visit(MaterialShader{*this, *scene_, surface, ray, kind, key, depth, medium},
                       material_of(*scene_, hit));
 }
@@ -180,16 +214,20 @@ void Whitted::shade(RayKind kind, std::span<const Ray> rays, std::span<const Hit
     }
     std::vector<Surface> surfaces(rays.size());
     for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (hits[i]) surfaces[i] = surface_at(*scene_, rays[i], hits[i], needs_.surface);
+        if (!hits[i]) continue;
+        surfaces[i] = surface_at(*scene_, rays[i], hits[i], needs_, tracer_->counts());
     }
-    const KnownShadows shadows(*scene_, surfaces, hits, needs_.dark_shadow_rays, *tracer_);
+    std::optional<KnownShadows> shadows;
+    if (needs_[Part::shared_shadows]) shadows.emplace(*scene_, surfaces, hits, needs_, *tracer_);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!hits[i]) {
-            light[i] = sky_radiance(*scene_, rays[i].direction);
+            light[i] = sky(rays[i]);
             continue;
         }
-        const MaterialShader shader{*this,   *scene_, surfaces[i], rays[i],  kind,
-                                    keys[i], 0,       nullptr,     &shadows, i};
+        const MaterialShader shader{*this,   *scene_, surfaces[i],
+                                    rays[i], kind,    keys[i],
+                                    0,       nullptr, shadows ? &*shadows : nullptr,
+                                    i};
         light[i] = std::visit(shader, material_of(*scene_, hits[i]));
     }
 }

@@ -7,20 +7,12 @@
 
 namespace luch {
 
-/// What the classic tracer needs for a scene. Leaving out what a scene does not need never changes
-/// a bit of the picture; with all true nothing is left out.
-struct WhittedNeeds {
-    SurfaceNeeds surface;
-    /// True: shadow rays are shot even where n·l ≤ 0 or the light is black, and change nothing.
-    bool dark_shadow_rays = true;
-};
-
 /// The classic recursive ray tracer (Whitted, "An Improved Illumination Model for Shaded Display",
 /// 1980): closest hit, direct light with shadow rays, mirrors and
 /// clear things, to the scene's depth limit.
 class Whitted {
  public:
-    Whitted(const Scene& scene, const WhittedNeeds& needs, Tracer& tracer)
+    Whitted(const Scene& scene, const Needs& needs, Tracer& tracer)
         : scene_(&scene), needs_(needs), tracer_(&tracer) {}
 
     /// Light that comes back along a ray. `medium` is what the ray runs through, where light fades;
@@ -39,8 +31,10 @@ class Whitted {
 
  private:
     friend struct MaterialShader;
+    [[nodiscard]] Rgb sky(const Ray& ray) const;
+
     const Scene* scene_;
-    WhittedNeeds needs_;
+    Needs needs_;
     Tracer* tracer_;
 };
 

@@ -38,7 +38,7 @@ class Vista : public Technique {
         auto& fell_back = frame.plane<std::uint8_t>("fallbacks", PlaneKind::mask);
         buffer_.paint(screen, params_, context, ids.view(), depth.view());
         if (hits_.size() != shot.size) hits_ = Image<Hit>(shot.size);
-        const WhittedNeeds needs = whitted_needs(context.plan());
+        const Needs needs = needs_of(context.plan());
         const auto colour = frame.colour.view();
         context.for_each_tile(shot.size, [&](Tile tile, int worker) {
             Tracer& tracer = context.tracer(worker);
@@ -46,7 +46,7 @@ class Vista : public Technique {
                                                          hits_.view(), fell_back.view());
             shade_tile(scene, shot, tile, needs, tracer, hits_.view(), colour);
         });
-        if (context.plan().needed("anti-aliasing") && shot.spp == 0) {
+        if (needs[Part::anti_aliasing] && may_antialias(shot)) {
             antialias(scene, shot, needs, context, colour);
         }
     }

@@ -1,6 +1,7 @@
 #include "framework/measure/metrics.h"
 
 #include "framework/base/error.h"
+#include "tests/measure/patterns.h"
 
 #include <gmock/gmock.h>
 
@@ -25,6 +26,7 @@ TEST(Metrics, AgreeWithValuesComputedByHand) {
     EXPECT_DOUBLE_EQ(errors.rmse, std::sqrt(squares / 6));
     EXPECT_DOUBLE_EQ(errors.relmse, squares / (0.26 * 0.26) / 6);
     EXPECT_DOUBLE_EQ(errors.psnr, 20 * std::log10(1 / std::sqrt(squares / 6)));
+    EXPECT_DOUBLE_EQ(errors.mae, 0.625 / 6);
     EXPECT_DOUBLE_EQ(errors.max_error, 0.5);
     EXPECT_DOUBLE_EQ(errors.p999, 0.5);
     EXPECT_EQ(errors.max_at.x, 1);
@@ -32,11 +34,48 @@ TEST(Metrics, AgreeWithValuesComputedByHand) {
     EXPECT_EQ(errors.differing, 1u);
 }
 
+/// NumPy 1.24.2 and scikit-image 0.19.3, from the formulas; FLIP as flip_test.cpp has it.
+TEST(Metrics, OfAPatternAreWhatTheFormulasGiveElsewhere) {
+    const Image<Rgb> a = testing::pattern({24, 17}), b = testing::altered_pattern({24, 17});
+    const Errors errors = errors_between(a.view(), b.view(), {Encoding::srgb, Gaze{{4, 12}}});
+    EXPECT_NEAR(errors.rmse, 0.216261344778, 1e-8);
+    EXPECT_NEAR(errors.relmse, 10.066437123857, 1e-6);
+    EXPECT_NEAR(errors.psnr, 13.300422015258, 1e-7);
+    EXPECT_NEAR(errors.mae, 0.112960727216, 1e-9);
+    EXPECT_NEAR(errors.ssim, 0.800429734761, 1e-8);
+    EXPECT_NEAR(errors.flip, 0.622054438, 1e-6);
+    EXPECT_NEAR(errors.foveal_rmse, 0.218014280, 1e-8);
+}
+
+TEST(Metrics, HoldTheFlipThatFitsTheEncoding) {
+    const Image<Rgb> one({3, 2}, Rgb(1)), two({3, 2}, Rgb(2));
+    const Errors shown = errors_between(one.view(), two.view(), {.encoding = Encoding::srgb});
+    EXPECT_EQ(shown.flip, 0);
+    EXPECT_EQ(shown.encoding, Encoding::srgb);
+    const Errors light = errors_between(one.view(), two.view(), {.encoding = Encoding::linear});
+    EXPECT_NEAR(light.flip, 0.1447528, 1e-4);
+    EXPECT_EQ(light.encoding, Encoding::linear);
+}
+
+TEST(Metrics, CountMisclassifiedPixelsOfBlackAndWhitePicturesOnly) {
+    Image<Rgb> reference({4, 1}), image({4, 1});
+    reference(0, 0) = reference(1, 0) = image(1, 0) = Rgb(1);
+    EXPECT_DOUBLE_EQ(errors_of(reference, image).misclassified, 0.25);
+    EXPECT_DOUBLE_EQ(errors_of(image, reference).misclassified, 0.25);
+    image(2, 0) = Rgb(nan);
+    EXPECT_DOUBLE_EQ(errors_of(reference, image).misclassified, 1.0 / 3);
+    image(3, 0) = Rgb(0, 0, 1);
+    EXPECT_TRUE(std::isnan(errors_of(reference, image).misclassified));
+}
+
 TEST(Metrics, OfEqualImagesAreZeroAndThePsnrIsInfinite) {
     const Image<Rgb> image({3, 2}, Rgb(0.3f));
     const Errors errors = errors_of(image, image);
     EXPECT_EQ(errors.rmse, 0);
     EXPECT_EQ(errors.relmse, 0);
+    EXPECT_EQ(errors.mae, 0);
+    EXPECT_EQ(errors.flip, 0);
+    EXPECT_NEAR(errors.ssim, 1, 1e-12);
     EXPECT_EQ(errors.max_error, 0);
     EXPECT_EQ(errors.differing, 0u);
     EXPECT_TRUE(std::isinf(errors.psnr) && errors.psnr > 0);
@@ -62,14 +101,18 @@ TEST(Metrics, CountPixelsThatAreNotFiniteApartAndFindTheFirst) {
         EXPECT_EQ(errors.non_finite.first_x, 2);
         EXPECT_EQ(errors.non_finite.first_y, 1);
         EXPECT_EQ(errors.rmse, 0);
+        EXPECT_EQ(errors.mae, 0);
+        EXPECT_EQ(errors.flip, 0);
+        EXPECT_NEAR(errors.ssim, 1, 1e-12);
         EXPECT_EQ(errors.differing, 0u);
     }
 }
 
 TEST(Metrics, AreNoNumbersWhenNoPixelIsFinite) {
     const Image<Rgb> image({2, 2}, Rgb(nan));
-    EXPECT_TRUE(std::isnan(errors_of(image, image).rmse));
-    EXPECT_TRUE(std::isnan(errors_of(image, image).psnr));
+    for (const Metric& metric : metrics()) {
+        EXPECT_TRUE(std::isnan(errors_of(image, image).*metric.value)) << metric.name;
+    }
 }
 
 TEST(Metrics, RefuseImagesOfDifferentSizesAndNameBoth) {
@@ -82,8 +125,21 @@ TEST(Metrics, RefuseImagesOfDifferentSizesAndNameBoth) {
 
 TEST(Metrics, AreFoundByNameAndTheNearestIsOfferedForAMistake) {
     EXPECT_EQ(find_metric("psnr").label, "PSNR");
+    EXPECT_EQ(find_metric("misclassified").value, &Errors::misclassified);
     EXPECT_THAT([] { find_metric("rsme"); },
                 ::testing::ThrowsMessage<Error>(::testing::HasSubstr("rmse")));
+}
+
+TEST(Metrics, AreShownWithTheirUnits) {
+    Errors errors;
+    EXPECT_EQ(shown(find_metric("psnr"), errors), "∞");
+    errors.psnr = 41.204;
+    errors.ssim = 0.99731;
+    errors.flip = 0.012345;
+    EXPECT_EQ(shown(find_metric("psnr"), errors), "41.20 dB");
+    EXPECT_EQ(shown(find_metric("ssim"), errors), "0.99731");
+    EXPECT_EQ(shown(find_metric("flip"), errors), "0.0123");
+    EXPECT_EQ(shown(find_metric("misclassified"), errors), "NaN");
 }
 
 TEST(Displayed, EncodesAndClampsButHidesNothingThatIsNotFinite) {

@@ -9,7 +9,9 @@ namespace luch {
 namespace {
 
 TEST(ReportJson, IsReadBackWithItsVersionScenesSeriesAndPoints) {
-    const auto json = nlohmann::json::parse(report_json(testing::sample_report("a \"b\"\n<c>")));
+    LabReport report = testing::sample_report("a \"b\"\n<c>");
+    report.yardstick = {&find_metric("rmse"), 0.05};
+    const auto json = nlohmann::json::parse(report_json(report));
     EXPECT_EQ(json["version"], 2);
     EXPECT_EQ(json["command"], "luch lab x.scene");
     const auto& scene = json["scenes"][0];

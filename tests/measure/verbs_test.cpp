@@ -1,5 +1,6 @@
 #include "framework/base/files.h"
 #include "framework/image/io.h"
+#include "framework/measure/magma.h"
 #include "tests/testing/own_folder.h"
 #include "tests/testing/shell.h"
 
@@ -55,10 +56,39 @@ TEST_F(CompareVerb, EndsWithOneWhenALimitIsExceededAndOnlyThen) {
     EXPECT_EQ(luch_compare("grey.png lighter.png --fail-below psnr=90").status, 1);
 }
 
-TEST_F(CompareVerb, EndsWithOneForAPixelThatIsNotFinite) {
-    const Ran ran = luch_compare("grey.png broken.exr");
+TEST_F(CompareVerb, LimitsEveryMetric) {
+    const std::string names[] = {"rmse", "relmse", "flip", "mae", "max", "p999", "foveal_rmse"};
+    std::string wide = "grey.png lighter.png --gaze 2,2 --fail-below ssim=0.5", narrow = wide;
+    for (const std::string& name : names) wide += " --fail-above " + name + "=9";
+    for (const std::string& name : names) narrow += " --fail-above " + name + "=1e-6";
+    EXPECT_EQ(luch_compare(wide).status, 0);
+    const Ran ran = luch_compare(narrow + " --fail-below ssim=0.9999");
     EXPECT_EQ(ran.status, 1);
-    EXPECT_THAT(ran.text, HasSubstr("the first at (3, 2)"));
+    for (const std::string& name : names) EXPECT_THAT(ran.text, HasSubstr("FAILED: " + name));
+    EXPECT_THAT(ran.text, HasSubstr("FAILED: ssim"));
+}
+
+TEST_F(CompareVerb, EndsWithOneForAPixelThatIsNotFinite) {
+    for (const char* pair : {"grey.png broken.exr", "broken.exr broken.exr"}) {
+        const Ran ran = luch_compare(pair + std::string(" --json o.json --flip-map flip.png"));
+        EXPECT_EQ(ran.status, 1);
+        EXPECT_THAT(ran.text, HasSubstr("1 pixels are not finite, the first at (3, 2)"));
+        const std::string json = read_text(folder_ / "o.json");
+        EXPECT_THAT(json, HasSubstr("\"non_finite\": 1"));
+        EXPECT_THAT(json, ::testing::ContainsRegex("non_finite_at\": \\[[ \n]*3,[ \n]*2"));
+        EXPECT_EQ(read_picture(folder_ / "flip.png").pixels(3, 2), Rgb(0, 1, 0));
+    }
+}
+
+TEST_F(CompareVerb, TakesHdrFlipForLightAndLdrFlipForWhatIsDisplayed) {
+    write_picture(folder_ / "one.exr", Image<Rgb>({4, 4}, Rgb(1)).view());
+    write_picture(folder_ / "two.exr", Image<Rgb>({4, 4}, Rgb(2)).view());
+    EXPECT_EQ(luch_compare("one.exr two.exr --json o.json --flip-map flip.png").status, 0);
+    EXPECT_THAT(read_text(folder_ / "o.json"), HasSubstr("\"flip_kind\": \"hdr\""));
+    EXPECT_EQ(read_picture(folder_ / "flip.png").pixels(1, 1), magma(0.1447528f));
+    EXPECT_EQ(luch_compare("one.exr two.exr --displayed --json o.json").status, 0);
+    EXPECT_THAT(read_text(folder_ / "o.json"), HasSubstr("\"flip_kind\": \"ldr\""));
+    EXPECT_THAT(read_text(folder_ / "o.json"), HasSubstr("\"flip\": 0.0,"));
 }
 
 TEST_F(CompareVerb, ExplainsAMistakeAndEndsWithTwo) {
@@ -76,6 +106,11 @@ TEST_F(CompareVerb, ExplainsAMistakeAndEndsWithTwo) {
     expect("grey.png lighter.png --fail-above rmse", "METRIC=NUMBER");
     expect("grey.png lighter.png --fail-above psnr=40", "--fail-below psnr=40");
     expect("grey.png lighter.png --amplify -1", "--amplify");
+    expect("grey.png lighter.png --gaze 3", "X,Y in pixels");
+    expect("grey.png lighter.png --gaze 1,2,3", "X,Y in pixels");
+    expect("grey.png lighter.png --fail-above ssim=0.9", "--fail-below ssim=0.9");
+    expect("grey.png lighter.png --fail-above misclassified=0", "black and white");
+    expect("grey.png lighter.png --fail-above foveal_rmse=0", "--gaze X,Y");
 }
 
 TEST_F(CompareVerb, WritesTheDifferenceAndJson) {
@@ -86,7 +121,8 @@ TEST_F(CompareVerb, WritesTheDifferenceAndJson) {
     const float off = 2 * (byte_of(srgb_encoded(0.3f)) - byte_of(srgb_encoded(0.2f))) / 255.0f;
     EXPECT_NEAR(read_picture(folder_ / "off.png").pixels(1, 1).r, off, 1e-6);
     const std::string json = read_text(folder_ / "o.json");
-    for (const char* key : {"rmse", "psnr", "max", "p999", "relmse", "non_finite"}) {
+    for (const char* key :
+         {"rmse", "relmse", "psnr", "ssim", "flip", "mae", "max", "p999", "non_finite"}) {
         EXPECT_THAT(json, HasSubstr(fmt::format("\"{}\": ", key)));
     }
 }

@@ -15,7 +15,7 @@ constexpr double degrees = std::numbers::pi / 180;
 Rgb seen(const Scene& scene, const Ray& ray, Counts* counts = nullptr) {
     const auto accelerator = build_accelerator(scene);
     Tracer tracer(*accelerator);
-    const Rgb colour = Whitted(scene, {}, tracer).radiance(RayKind::primary, ray, Key(1));
+    const Rgb colour = Whitted(scene, Needs(), tracer).radiance(RayKind::primary, ray, Key(1));
     if (counts) *counts = tracer.counts();
     return colour;
 }
@@ -124,7 +124,7 @@ TEST(Refraction, FadesByTheWayInWorldUnitsWhateverTheLengthOfTheDirection) {
     const auto accelerator = build_accelerator(scene);
     Tracer tracer(*accelerator);
     const Ray long_one{{0, 4, 0}, {0, -8, 0}};
-    expect_near(Whitted(scene, {}, tracer).radiance(RayKind::gi, long_one, Key(1), 0, &water),
+    expect_near(Whitted(scene, Needs(), tracer).radiance(RayKind::gi, long_one, Key(1), 0, &water),
                 Rgb(std::exp(-2.0f)));
 }
 

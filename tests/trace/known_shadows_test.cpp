@@ -24,7 +24,8 @@ Shaded shaded(const Scene& scene, bool dark_rays) {
         keys.push_back(Key(4).branch(static_cast<std::uint64_t>(i)));
     }
     Shaded result;
-    const WhittedNeeds needs{.surface = {}, .dark_shadow_rays = dark_rays};
+    Needs needs;
+    needs[Part::dark_shadow_rays] = dark_rays;
     Tracer alone(*accelerator), all(*accelerator);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         result.one_by_one.push_back(
@@ -63,7 +64,7 @@ TEST(KnownShadows, AskOnlyLightsThatStandInOnePlace) {
     const Hit hit = tracer.closest(RayKind::primary, ray);
     ASSERT_TRUE(hit);
     const Surface surface = surface_at(scene, ray, hit);
-    const KnownShadows shadows(scene, {&surface, 1}, {&hit, 1}, true, tracer);
+    const KnownShadows shadows(scene, {&surface, 1}, {&hit, 1}, Needs(), tracer);
     EXPECT_EQ(shadows.of(0, 0), KnownShadows::Answer::lit);
     EXPECT_EQ(shadows.of(1, 0), KnownShadows::Answer::not_asked);
     EXPECT_EQ(tracer.counts().of(RayKind::shadow), 1u);

@@ -34,7 +34,7 @@ RayLog logged(const Scene& scene, const Ray& ray, Counts* counts = nullptr, Rgb*
     const auto accelerator = build_accelerator(scene);
     Tracer tracer(*accelerator);
     if (record) tracer.record(&log);
-    const Rgb light = Whitted(scene, {.surface = {}, .dark_shadow_rays = false}, tracer)
+    const Rgb light = Whitted(scene, Needs().without(Part::dark_shadow_rays), tracer)
                           .radiance(RayKind::primary, ray, Key(1));
     if (counts) *counts = tracer.counts();
     if (colour) *colour = light;

@@ -105,7 +105,11 @@ TEST(Surface, LeavesOutWhatIsNotNeeded) {
     WorkCounts work;
     const Hit hit = build_accelerator(scene)->closest(ray, work);
     EXPECT_EQ(surface_at(scene, ray, hit).uv, Vec2d(0.5, 0.25));
-    EXPECT_EQ(surface_at(scene, ray, hit, {.uv = false, .bump = false}).uv, Vec2d(0));
+    Counts counts;
+    const Needs needs = Needs().without(Part::texture_coordinates);
+    EXPECT_EQ(surface_at(scene, ray, hit, needs, counts).uv, Vec2d(0));
+    EXPECT_EQ(counts.of(Part::texture_coordinates), 0u);
+    EXPECT_EQ(counts.of(Part::bump), 1u);
 }
 
 TEST(Surface, HasTheCoursesTextureCoordinates) {

@@ -25,7 +25,7 @@ struct Result {
 };
 
 Result seen(const Scene& scene, const Ray& ray,
-            const WhittedNeeds& needs = {.surface = {}, .dark_shadow_rays = false}) {
+            const Needs& needs = Needs().without(Part::dark_shadow_rays)) {
     const auto accelerator = build_accelerator(scene);
     Tracer tracer(*accelerator);
     const Rgb colour = Whitted(scene, needs, tracer).radiance(RayKind::primary, ray, Key(1));
@@ -164,7 +164,7 @@ TEST(Whitted, GivesTheSamePictureWithEveryStageForcedOn) {
     for (int y = 0; y < 48; ++y) {
         for (int x = 0; x < 64; ++x) {
             const Ray ray = screen.ray(x + 0.5, y + 0.5);
-            const Rgb a = Whitted(scene, {.surface = {}, .dark_shadow_rays = false}, planned)
+            const Rgb a = Whitted(scene, Needs().without(Part::dark_shadow_rays), planned)
                               .radiance(RayKind::primary, ray, Key(x * y));
             const Rgb b = Whitted(scene, {}, forced).radiance(RayKind::primary, ray, Key(x * y));
             ASSERT_EQ(a, b) << x << " " << y;

@@ -168,14 +168,14 @@ class Builder {
 
     static void set_box(Node& node, int slot, const Corners& box) {
         for (int axis = 0; axis < 3; ++axis) {
-            node.bounds[axis][slot] = box.lo[axis];
-            node.bounds[axis + 3][slot] = box.hi[axis];
+            node.bounds[2 * axis][slot] = box.lo[axis];
+            node.bounds[2 * axis + 1][slot] = box.hi[axis];
         }
     }
     static void set_empty(Node& node, int slot) {
         for (int axis = 0; axis < 3; ++axis) {
-            node.bounds[axis][slot] = std::numeric_limits<float>::infinity();
-            node.bounds[axis + 3][slot] = -std::numeric_limits<float>::infinity();
+            node.bounds[2 * axis][slot] = std::numeric_limits<float>::infinity();
+            node.bounds[2 * axis + 1][slot] = -std::numeric_limits<float>::infinity();
         }
     }
 

@@ -16,7 +16,8 @@ struct Sides {
 };
 
 LUCH_INLINE Sides sides(const Node& node, int slot, int axis, bool negative, float origin) {
-    const float lo = node.bounds[axis][slot] - origin, hi = node.bounds[axis + 3][slot] - origin;
+    const float lo = node.bounds[2 * axis][slot] - origin;
+    const float hi = node.bounds[2 * axis + 1][slot] - origin;
     return negative ? Sides{hi, lo} : Sides{lo, hi};
 }
 
@@ -49,9 +50,9 @@ LUCH_INLINE unsigned children_meeting(const Bundle& bundle, const Node& node, fl
     for (int axis = 0; axis < 3; ++axis) {
         const Ranges& inverse = bundle.inverses[axis];
         const Eight lo(inverse.lo_all), hi(inverse.hi_all), origin(bundle.origin[axis]);
-        const int low = bundle.negative[axis] ? axis + 3 : axis;
-        const Eight first = Eight::load(node.bounds[low]) - origin;
-        const Eight last = Eight::load(node.bounds[low < 3 ? axis + 3 : axis]) - origin;
+        const int side = 2 * axis + (bundle.negative[axis] ? 1 : 0);
+        const Eight first = Eight::load(node.bounds[side]) - origin;
+        const Eight last = Eight::load(node.bounds[side ^ 1]) - origin;
         in = max_or(min_or(first * lo, first * hi), in);
         out = min_or(max_or(last * lo, last * hi), out);
     }

@@ -107,8 +107,8 @@ class PacketSearch {
         Sixteen near(bundle_.t_min), far(infinite);
         for (int axis = 0; axis < 3; ++axis) {
             const Sixteen inverse = Sixteen::load(bundle_.inverse[axis] + at);
-            const float lo = node.bounds[axis][slot] - bundle_.origin[axis];
-            const float hi = node.bounds[axis + 3][slot] - bundle_.origin[axis];
+            const float lo = node.bounds[2 * axis][slot] - bundle_.origin[axis];
+            const float hi = node.bounds[2 * axis + 1][slot] - bundle_.origin[axis];
             clip(Sixteen(lo) * inverse, Sixteen(hi) * inverse, axis, group, near, far);
         }
         far = min_or(max_or(far * Sixteen(far_padding), far), Sixteen::load(bundle_.t + at));

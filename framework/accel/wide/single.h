@@ -29,16 +29,11 @@ struct Search {
 class BlockTest {
  public:
     BlockTest(const ObjectRay& ray, NodeId node, bool cull_backfaces)
-        : ray_(ray),
-          node_(node),
-          cull_(cull_backfaces),
-          origin_(all<Four>(ray.origin)),
-          direction_(all<Four>(ray.direction)),
-          sum_(sum_of_sizes(ray.direction)) {}
+        : ray_(ray), node_(node), cull_(cull_backfaces), sum_(sum_of_sizes(ray.direction)) {}
 
     /// Improves the search; true when it did.
     [[gnu::noinline]] bool operator()(const Block& block, Search& search) const {
-        const Edges e(block, origin_, direction_);
+        const Edges e(block, all<Four>(ray_.origin), all<Four>(ray_.direction));
         const Four size = size_of(e.a[0], Four::load(block.edge));
         const Four bound = sign_bound(size, Four::load(block.edge), Four(sum_));
         const Four least = min_or(e.w[0], min_or(e.w[1], e.w[2]));
@@ -77,7 +72,7 @@ class BlockTest {
         const Three<Four> p0 = corner(block, 0);
         const Three<Four> edge1 = minus(corner(block, 1), p0), edge2 = minus(corner(block, 2), p0);
         const Three<Four> normal = cross(edge1, edge2);
-        const Four above = dot(normal, e.a[0]), along = dot(normal, direction_);
+        const Four above = dot(normal, e.a[0]), along = dot(normal, all<Four>(ray_.direction));
         const Four size = Four::load(block.edge);
         certain &= (sign_bound(size, size, sum_of_sizes(e.a[0])) < abs(above)) &
                    (sign_bound(size, size, Four(sum_)) < abs(along));
@@ -143,7 +138,6 @@ class BlockTest {
     const ObjectRay& ray_;
     NodeId node_;
     bool cull_;
-    Three<Four> origin_, direction_;
     float sum_;
 };
 
@@ -156,31 +150,35 @@ class NodeTest {
  public:
     NodeTest(const ObjectRay& ray, float extent, float relative_slack = 0x1p-20f)
         : t_min_(ray.t_min) {
+        Vec3 inverse = ray.inverse;
+        if (!(sum_of_sizes(inverse) < infinite)) {
+            const float steepest = 0x1p40f / sum_of_sizes(ray.direction);
+            inverse = glm::clamp(inverse, -steepest, steepest);
+        }
         const float reach = relative_slack * (sum_of_sizes(ray.origin) + extent);
-        const float steepest =
-            sum_of_sizes(ray.inverse) < infinite ? infinite : 0x1p40f / sum_of_sizes(ray.direction);
         for (int axis = 0; axis < 3; ++axis) {
-            const float inverse = std::clamp(ray.inverse[axis], -steepest, steepest);
-            const float start = ray.origin[axis] * inverse, slack = reach * std::abs(inverse);
-            inverse_[axis] = Eight(inverse);
+            const float start = ray.origin[axis] * inverse[axis];
+            const float slack = reach * std::abs(inverse[axis]);
+            inverse_[axis] = Eight(inverse[axis]);
             near_shift_[axis] = Eight(start + slack);
             far_shift_[axis] = Eight(start - slack);
-            const bool negative = std::signbit(ray.direction[axis]);
-            near_[axis] = (negative ? axis + 3 : axis) * node_width;
-            far_[axis] = (negative ? axis : axis + 3) * node_width;
+            near_[axis] = side_bytes * (std::bit_cast<std::uint32_t>(ray.direction[axis]) >> 31) +
+                          2 * side_bytes * axis;
         }
     }
 
     /// A bit for every child that the ray may meet before `limit`, and where it enters them. Where
     /// a side gives NaN another may be lost with it, which keeps more.
     LUCH_INLINE unsigned operator()(const Node& node, float limit, Eight& in) const {
-        const float* bounds = node.bounds[0];
+        const char* bounds = reinterpret_cast<const char*>(node.bounds);
+        const auto side = [&](std::uint32_t at) {
+            return Eight::load(reinterpret_cast<const float*>(bounds + at));
+        };
         const auto near = [&](int axis) {
-            return times_minus(Eight::load(bounds + near_[axis]), inverse_[axis],
-                               near_shift_[axis]);
+            return times_minus(side(near_[axis]), inverse_[axis], near_shift_[axis]);
         };
         const auto far = [&](int axis) {
-            return times_minus(Eight::load(bounds + far_[axis]), inverse_[axis], far_shift_[axis]);
+            return times_minus(side(near_[axis] ^ side_bytes), inverse_[axis], far_shift_[axis]);
         };
         in = max_or(max_or(near(0), near(1)), max_or(near(2), t_min_));
         const Eight out = min_or(min_or(far(0), far(1)), min_or(far(2), Eight(limit)));
@@ -190,9 +188,11 @@ class NodeTest {
  private:
     Eight inverse_[3], near_shift_[3], far_shift_[3];
     Eight t_min_;
-    std::ptrdiff_t near_[3], far_[3];
+    static constexpr std::uint32_t side_bytes = sizeof Node::bounds[0];
+    std::uint32_t near_[3];  ///< where in a node the sides are that the ray enters through
 };
 
+/// A child to be visited later, and where the ray enters it.
 struct Entry {
     float near;
     std::uint32_t child;
@@ -201,21 +201,26 @@ struct Entry {
 /// Pushes all children but the nearest, the farther deeper; returns the nearest. Branches that the
 /// processor guesses right let it go on before it knows the order, so this sorts by branches.
 LUCH_INLINE std::uint32_t push_sorted(const Node& node, unsigned mask, const Eight& in,
-                                      Entry* stack, int& size) {
-    const int one = std::countr_zero(mask);
-    mask &= mask - 1;
-    if (mask == 0) return node.child[one];
+                                      Entry*& top) {
+    const std::uint32_t only = node.child[std::countr_zero(mask)];
+    if ((mask & (mask - 1)) == 0) return only;
     alignas(32) float near[node_width];
     in.store(near);
-    Entry first{near[one], node.child[one]};
-    const int base = size;
-    for (; mask != 0; mask &= mask - 1) {
+    const auto next = [&] {
         const int i = std::countr_zero(mask);
-        Entry entry{near[i], node.child[i]};
+        mask &= mask - 1;
+        return Entry{near[i], node.child[i]};
+    };
+    Entry first = next(), second = next();
+    if (second.near < first.near) std::swap(first, second);
+    Entry* const bottom = ++top;
+    *bottom = second;
+    while (mask != 0) {
+        Entry entry = next();
         if (entry.near < first.near) std::swap(entry, first);
-        int at = size++;
-        for (; at > base && stack[at - 1].near < entry.near; --at) stack[at] = stack[at - 1];
-        stack[at] = entry;
+        Entry* at = ++top;
+        for (; at > bottom && at[-1].near < entry.near; --at) *at = at[-1];
+        *at = entry;
     }
     return first.child;
 }
@@ -225,8 +230,10 @@ LUCH_INLINE std::uint32_t push_sorted(const Node& node, unsigned mask, const Eig
 template <class Leaf>
 LUCH_INLINE std::uint32_t visit_leaves(const Tree& tree, const NodeTest& test_node, float limit,
                                        Leaf&& leaf) {
+    constexpr std::uint32_t end = ~0u;
     Entry stack[max_depth * (node_width - 1) + 1];
-    int size = 0;
+    stack[0] = {-infinite, end};
+    Entry* top = stack;
     std::uint32_t child = 0, nodes = 0;
     for (;;) {
         while ((child & leaf_bit) == 0) {
@@ -235,13 +242,12 @@ LUCH_INLINE std::uint32_t visit_leaves(const Tree& tree, const NodeTest& test_no
             Eight in;
             const unsigned mask = test_node(node, limit, in);
             if (mask == 0) break;
-            child = push_sorted(node, mask, in, stack, size);
+            child = push_sorted(node, mask, in, top);
         }
         if ((child & leaf_bit) != 0) limit = leaf(child & ~leaf_bit);
-        do {
-            if (--size < 0) return nodes;
-        } while (!(stack[size].near <= limit));
-        child = stack[size].child;
+        while (!(top->near <= limit)) --top;
+        child = top--->child;
+        if (child == end) return nodes;
     }
 }
 

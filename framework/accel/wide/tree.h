@@ -17,13 +17,13 @@ inline constexpr int block_width = 4;
 inline constexpr int max_depth = 88;
 
 struct alignas(64) Node {
-    float bounds[6][node_width];      ///< lo.x, lo.y, lo.z, hi.x, hi.y, hi.z
+    float bounds[6][node_width];      ///< lo.x, hi.x, lo.y, hi.y, lo.z, hi.z
     std::uint32_t child[node_width];  ///< used ones first
     std::uint32_t used;               ///< a bit for each child
 
     [[nodiscard]] Box box(int slot) const {
-        return {{bounds[0][slot], bounds[1][slot], bounds[2][slot]},
-                {bounds[3][slot], bounds[4][slot], bounds[5][slot]}};
+        return {{bounds[0][slot], bounds[2][slot], bounds[4][slot]},
+                {bounds[1][slot], bounds[3][slot], bounds[5][slot]}};
     }
 };
 
