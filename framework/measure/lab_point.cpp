@@ -1,6 +1,8 @@
 #include "framework/measure/lab_point.h"
 
 #include "framework/measure/difference.h"
+#include "framework/measure/flip.h"
+#include "framework/measure/magma.h"
 #include "framework/measure/reference.h"
 
 #include <algorithm>
@@ -62,6 +64,8 @@ void Pictures::add_to(LabPoint& point, const std::string& name, const Image<Rgb>
     if (!point.identical) {
         point.difference =
             written(name + " difference", error_map(truth.shown.view(), shown.view()).view());
+        const FlipResult flip = flip_ldr(truth.shown.view(), shown.view());
+        point.flip_map = written(name + " flip", in_magma(flip.map.view()).view());
     }
 }
 

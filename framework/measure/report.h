@@ -29,7 +29,7 @@ struct LabPoint {
     double linear_rmse = 0;              ///< against the same, in linear light
     std::optional<Errors> converged;     ///< as displayed, against SceneReport::converged
     bool identical = false;              ///< the linear frame equals the truth's, bit for bit
-    std::filesystem::path picture, difference;  ///< files; empty where none was written
+    std::filesystem::path picture, difference, flip_map;  ///< files; empty where none was written
 
     [[nodiscard]] bool ran() const { return not_run.empty(); }
 };

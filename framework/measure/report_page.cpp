@@ -111,8 +111,9 @@ std::string legend() {
     }
     return fmt::format(
         "<div class=\"legend\"><i style=\"background:linear-gradient(90deg,{})\"></i><div>{}</div>"
-        "<p class=\"soft\">A pixel’s worst channel, in steps of 1/255 as displayed; black: equal; "
-        "magenta: not finite.</p></div>\n",
+        "<p class=\"soft\">Where one differs: a pixel’s worst channel, in steps of 1/255 as "
+        "displayed; black: equal; magenta: not finite. What is seen of it: FLIP, from black (0, "
+        "alike) through violet and orange to light yellow (1); green: not finite.</p></div>\n",
         stops, ticks);
 }
 
@@ -207,6 +208,7 @@ std::string html_pictures(const SceneReport& scene, std::string_view prefix) {
                 point->identical ? detail + (detail.empty() ? "" : ": ") + "equal, bit for bit"
                                  : detail);
             add(point->difference, "where " + series.technique + " differs", detail);
+            add(point->flip_map, "what is seen of it (FLIP)", detail);
             differs = differs || !point->difference.empty();
         }
     }

@@ -190,9 +190,9 @@ TEST(Lab, WritesPicturesAndAPageThatHoldsThem) {
                              "pictures/tiny-off-error=0.5.png", "pictures/tiny-noisy-truth.png"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
     }
-    // The baseline; best, which is exact; worst and where it differs; the truth of the samples, the
-    // best and the worst of them and where those differ.
-    EXPECT_EQ(testing::occurrences(report_html(report), "data:image/png;base64,iVBOR"), 9u);
+    // The baseline; best, which is exact; worst, where it differs and what is seen of that; the
+    // truth of the samples, the best and the worst of them, and both maps of each.
+    EXPECT_EQ(testing::occurrences(report_html(report), "data:image/png;base64,iVBOR"), 12u);
     std::filesystem::remove_all(folder);
 }
 
