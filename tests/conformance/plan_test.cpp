@@ -50,17 +50,14 @@ struct Subject {
     Workers workers{2};
 };
 
-/// Forces on what the technique's plan leaves out exactly: each stage alone where that does not
-/// take long, then all at once.
+/// Forces on what the technique's plan leaves out exactly: each stage alone, then all at once.
 void expect_same_picture(const Subject& subject, const TechniqueInfo& info) {
     const Outcome planned = subject.rendered(info, {});
     if (!planned.plan.applies) return;
     Budget all;
-    const bool quick = planned.frame_ms[0] < 300;
     for (const Stage& stage : planned.plan.stages) {
         if (stage.needed || stage.kind != Stage::exact) continue;
         all.forced.push_back(stage.name);
-        if (!quick) continue;
         const Outcome forced = subject.rendered(info, {.forced = {stage.name}}, false);
         EXPECT_EQ(testing::different_pixels(planned, forced), 0u)
             << subject.scene.name << ", " << info.name << ": " << stage.name;
