@@ -49,8 +49,9 @@ struct ItemBuffer::State {
     }
 };
 
-ItemBuffer::ItemBuffer(const Scene& scene, Isa isa)
-    : state_(new State{&scene, &kernels_of(isa), stock_of(scene), {}, {}, {}}) {}
+ItemBuffer::ItemBuffer(const Scene& scene, Isa isa, Others others)
+    : state_(new State{
+          &scene, &kernels_of(isa), stock_of(scene, others == Others::mark), {}, {}, {}}) {}
 ItemBuffer::~ItemBuffer() = default;
 ItemBuffer::ItemBuffer(ItemBuffer&&) noexcept = default;
 
@@ -143,6 +144,11 @@ int ItemBuffer::resolve(int tile, const RayPacket& rays, HitPacket& hits) const 
         kernels.resolve(target, items, rays, model == first, hits);
     }
     return all.ambiguous;
+}
+
+bool ItemBuffer::ambiguous(int tile, int k) const {
+    const std::size_t entry = state_->items_of(tile) + static_cast<std::size_t>(k);
+    return (state_->frame.items[entry] & ambiguous_bit) != 0;
 }
 
 void ItemBuffer::trace_ambiguous(int tile, const RayPacket& rays, const Accelerator& accelerator,

@@ -33,8 +33,12 @@ struct ItemDepths {
 /// the pixels where they may be nearest. For pinhole cameras; see applies().
 class ItemBuffer {
  public:
+    /// What becomes of nodes that are no meshes: they mark pixels, or are left to the caller, as if
+    /// the scene did not have them.
+    enum class Others { mark, ignore };
+
     /// Keeps a reference to the scene, which must outlive it. Any `isa` gives the same bits.
-    explicit ItemBuffer(const Scene& scene, Isa isa = parsed_isa(""));
+    explicit ItemBuffer(const Scene& scene, Isa isa = parsed_isa(""), Others others = Others::mark);
     ~ItemBuffer();
     ItemBuffer(ItemBuffer&&) noexcept;
 
@@ -68,6 +72,8 @@ class ItemBuffer {
     /// The hits of a tile's rays, which must be those of rays(); pixels that are ambiguous or empty
     /// get Hit{}. Returns the number of ambiguous ones.
     int resolve(int tile, const RayPacket& rays, HitPacket& hits) const;
+    /// Whether entry k of a tile's packets is ambiguous.
+    [[nodiscard]] bool ambiguous(int tile, int k) const;
     /// Traces the ambiguous ones. After it, hits are those of accelerator.closest(rays, …).
     void trace_ambiguous(int tile, const RayPacket& rays, const Accelerator& accelerator,
                          HitPacket& hits, WorkCounts& work) const;
