@@ -7,7 +7,6 @@
 namespace luch::techniques::vista {
 namespace {
 
-constexpr int capacity = RayPacket::capacity;
 static_assert(ItemBuffer::tile_side == Context::tile_side);
 
 /// No inverse depth of a front exceeds its ItemDepths::nearest by more: (1 + ρ) / (1 − ρ), ρ ≤
@@ -16,133 +15,150 @@ constexpr double front_spread = 1.14;
 /// A hit's t is rounded to float, and its inverse depth reckoned from it.
 constexpr double rounding = 1 - 0x1p-20;
 
-/// The pixels of one tile while their hits are found.
-class Tiling {
+/// More nodes are not tested one by one in a pixel: a search is quicker.
+constexpr std::size_t most_tests = 8;
+
+/// The pixels of one tile while their hits are found, in the order of the framework's packets.
+class Pixels {
  public:
-    Tiling(const Screen& screen, const ItemBuffer& meshes, int index, Tile tile, Tracer& tracer)
-        : screen_(screen), tracer_(tracer), packet_(meshes.rays(index)) {
-        const Tile whole = meshes.tile(index);
-        for (int k = 0; k < capacity; ++k) {
-            const int x = whole.x0 + ItemBuffer::x_in_tile(k);
-            const int y = whole.y0 + ItemBuffer::y_in_tile(k);
-            if (x < tile.x0 || x >= tile.x1 || y < tile.y0 || y >= tile.y1) continue;
-            at_[static_cast<std::size_t>(count_)] = {k, x, y};
-            ++count_;
-        }
-        HitPacket found;
-        const bool some_ambiguous = meshes.resolve(index, packet_, found) > 0;
-        for_each([&](std::size_t i) {
-            rays_[i] = packet_.ray(at_[i].k);
-            hits_[i] = found.hit(at_[i].k);
-            tracer.counts().object_tests += hits_[i] ? 1 : 0;
-            doubtful_[i] = some_ambiguous && meshes.ambiguous(index, at_[i].k);
-        });
+    Pixels(const Screen& screen, const ItemBuffer& meshes, int index, Tile tile, Tracer& tracer)
+        : screen_(screen),
+          tracer_(tracer),
+          whole_(meshes.tile(index)),
+          tile_(tile),
+          packet_(meshes.rays(index)) {
+        if (meshes.resolve(index, packet_, found_) == 0) return;
+        meshes.show(index, items_);
+        for_each([&](int k) { doubtful_[k] = items_.ambiguous[k]; });
     }
 
     /// One node, in every pixel.
     void test(NodeId node) {
-        for_each([&](std::size_t i) { nodes_[i] = doubtful_[i] ? no_node : node; });
-        test_nodes();
+        for_each([&](int k) {
+            if (!doubtful_[k]) test(k, node);
+        });
     }
 
     /// The nodes whose hulls are in front.
     void test_fronts(const ItemBuffer& fronts, const Hulls& hulls, int index) {
-        HitPacket front;
-        const bool some_ambiguous = fronts.resolve(index, packet_, front) > 0;
-        std::array<float, capacity> second{};
-        bool any = false;
-        for_each([&](std::size_t i) {
-            nodes_[i] = no_node;
-            if (some_ambiguous && fronts.ambiguous(index, at_[i].k)) doubtful_[i] = true;
-            const NodeId hull = front.node[at_[i].k];
-            if (doubtful_[i] || hull == no_node) return;
-            const ItemDepths depths = fronts.depths(at_[i].x, at_[i].y);
-            segments_[i] = hulls.segments[hull];
-            if (inverse_depth(i) > front_spread * depths.nearest) return;
-            nodes_[i] = hulls.node_of[hull];
-            second[i] = depths.second;
-            any = true;
-        });
-        if (!any) return;
-        test_nodes();
-        for_each([&](std::size_t i) {
-            if (nodes_[i] != no_node && second[i] > 0) {
-                doubtful_[i] = !(inverse_depth(i) * rounding > second[i]);
+        fronts.show(index, items_);
+        for_each([&](int k) {
+            if (doubtful_[k]) return;
+            const NodeId hull = items_.node[k];
+            if (hull == no_node) {
+                if (items_.ambiguous[k]) test_all(k, hulls);
+                return;
             }
+            segments_[k] = hulls.segments[hull];
+            const ItemDepths& depths = items_.depths[k];
+            if (inverse_depth(k) > front_spread * depths.nearest) return;
+            test(k, hulls.node_of[hull]);
+            if (inverse_depth(k) * rounding > depths.second || depths.second == 0) return;
+            test_all(k, hulls);
         });
     }
 
     /// All that is in doubt.
     void trace() {
         std::vector<Ray> rays;
-        for_each([&](std::size_t i) {
-            if (doubtful_[i]) rays.push_back(rays_[i]);
+        for_each([&](int k) {
+            if (doubtful_[k]) rays.push_back(packet_.ray(k));
         });
         if (rays.empty()) return;
         std::vector<Hit> hits(rays.size());
         tracer_.closest(RayKind::primary, rays, hits);
         tracer_.counts().fallbacks += rays.size();
         auto next = hits.begin();
-        for_each([&](std::size_t i) {
-            if (doubtful_[i]) hits_[i] = *next++;
+        for_each([&](int k) {
+            if (doubtful_[k]) found_.set(k, *next++);
         });
     }
 
     void write(const ExactPlanes& planes, const Scene& scene) {
-        for_each([&](std::size_t i) {
-            const auto [k, x, y] = at_[i];
-            const Hit& hit = hits_[i];
-            planes.hits(x, y) = hit;
-            planes.ids(x, y) = hit.node;
-            planes.fell_back(x, y) = doubtful_[i];
-            planes.triangles(x, y) = hit && is_mesh(scene, hit.node) ? hit.primitive : no_node;
-            planes.lod(x, y) = segments_[i];
+        NodeId last = no_node;
+        bool mesh = false;
+        for_each([&](int k) {
+            const int x = x_of(k), y = y_of(k);
+            const NodeId node = found_.node[k];
+            if (node != last) {
+                mesh = node != no_node && is_mesh(scene, node);
+                last = node;
+            }
+            planes.hits(x, y) = found_.hit(k);
+            planes.ids(x, y) = node;
+            planes.triangles(x, y) = mesh ? found_.primitive[k] : no_node;
+            planes.fell_back(x, y) = doubtful_[k];
+            planes.lod(x, y) = segments_[k];
         });
     }
 
     void record(RayLog& log) const {
-        const auto count = static_cast<std::size_t>(count_);
-        log.closest(RayKind::primary, {rays_.data(), count}, {hits_.data(), count});
+        std::vector<Ray> rays;
+        std::vector<Hit> hits;
+        for_each([&](int k) {
+            rays.push_back(packet_.ray(k));
+            hits.push_back(found_.hit(k));
+        });
+        log.closest(RayKind::primary, rays, hits);
     }
 
  private:
-    struct Place {
-        int k, x, y;
-    };
+    [[nodiscard]] int x_of(int k) const { return whole_.x0 + ItemBuffer::x_in_tile(k); }
+    [[nodiscard]] int y_of(int k) const { return whole_.y0 + ItemBuffer::y_in_tile(k); }
 
     template <class Work>
-    void for_each(Work&& work) {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) work(i);
+    void for_each(Work&& work) const {
+        const bool all = tile_.area() == RayPacket::capacity;
+        for (int k = 0; k < RayPacket::capacity; ++k) {
+            if (all || inside(tile_, x_of(k), y_of(k))) work(k);
+        }
+    }
+
+    static bool inside(const Tile& tile, int x, int y) {
+        return x >= tile.x0 && x < tile.x1 && y >= tile.y0 && y < tile.y1;
     }
 
     static bool is_mesh(const Scene& scene, NodeId node) {
         return std::holds_alternative<Mesh>(scene.geometries[scene.nodes[node].geometry]);
     }
 
-    /// 0 where nothing was hit.
-    [[nodiscard]] double inverse_depth(std::size_t i) const {
-        if (!hits_[i]) return 0;
-        return 1 / (double(hits_[i].t) * glm::dot(rays_[i].direction, screen_.forward()));
+    /// Where the node in front was not enough: all whose hulls may be there, if they are few.
+    void test_all(int k, const Hulls& hulls) {
+        std::array<NodeId, most_tests> about;
+        std::size_t count = 0;
+        for (std::size_t hull = 0; hull < hulls.extents.size(); ++hull) {
+            if (!inside(hulls.extents[hull], x_of(k), y_of(k))) continue;
+            if (count == most_tests) {
+                doubtful_[k] = true;
+                return;
+            }
+            about[count++] = hulls.node_of[hull];
+        }
+        for (std::size_t i = 0; i < count; ++i) test(k, about[i]);
     }
 
-    /// Keeps what is nearer than the hits so far.
-    void test_nodes() {
-        const auto count = static_cast<std::size_t>(count_);
-        tracer_.test({nodes_.data(), count}, {rays_.data(), count}, {tested_.data(), count});
-        for_each([&](std::size_t i) {
-            if (tested_[i] && nearer(tested_[i], hits_[i])) hits_[i] = tested_[i];
-        });
+    /// Keeps what is nearer than the hit so far.
+    void test(int k, NodeId node) {
+        const Ray ray = packet_.ray(k);
+        Hit hit;
+        tracer_.test({&node, 1}, {&ray, 1}, {&hit, 1});
+        if (hit && nearer(hit, found_.hit(k))) found_.set(k, hit);
+    }
+
+    /// 0 where nothing was hit.
+    [[nodiscard]] double inverse_depth(int k) const {
+        if (found_.node[k] == no_node) return 0;
+        const Vec3d direction(packet_.x[k], packet_.y[k], packet_.z[k]);
+        return 1 / (double(found_.t[k]) * glm::dot(direction, screen_.forward()));
     }
 
     const Screen& screen_;
     Tracer& tracer_;
+    Tile whole_, tile_;
     RayPacket packet_;
-    int count_ = 0;
-    std::array<Place, capacity> at_;
-    std::array<Ray, capacity> rays_;
-    std::array<Hit, capacity> hits_, tested_;
-    std::array<NodeId, capacity> nodes_;
-    std::array<std::uint8_t, capacity> doubtful_{}, segments_{};
+    HitPacket found_;
+    ItemPacket items_;
+    std::array<std::uint8_t, RayPacket::capacity> doubtful_{}, segments_{};
 };
 
 }  // namespace
@@ -172,7 +188,7 @@ void ExactBuffer::look_up(Tile tile, Tracer& tracer, const ExactPlanes& planes) 
     // A watched pixel is one primary ray, however its hit is found.
     RayLog* const log = tracer.log();
     tracer.record(nullptr);
-    Tiling pixels(*screen_, *meshes_, index, tile, tracer);
+    Pixels pixels(*screen_, *meshes_, index, tile, tracer);
     for (const NodeId node : hulls_.boundless) pixels.test(node);
     if (fronts_) pixels.test_fronts(*fronts_, hulls_, index);
     pixels.trace();

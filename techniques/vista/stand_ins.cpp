@@ -62,6 +62,26 @@ int segments_for(float radius_px) {
     return static_cast<int>(std::clamp(8 * std::ceil(n / 8), 8.0, 64.0));
 }
 
+/// Pixels that may see something of a box; all of them where the eye is beside it.
+Tile extent_of(const Boxd& box, const Transform& to_world, const Screen& screen) {
+    const Size size = screen.size();
+    Bounds<Vec2d> seen;
+    for (unsigned i = 0; i < 8; ++i) {
+        const Vec3d corner{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
+                           i & 4 ? box.hi.z : box.lo.z};
+        const Vec3d view = screen.to_view(to_world.point(corner));
+        const std::optional<Vec2d> px = screen.project(view);
+        if (!px || !(view.z > 0x1p-10 * max_norm(view))) return {0, 0, size.width, size.height};
+        seen.lo = glm::min(seen.lo, *px);
+        seen.hi = glm::max(seen.hi, *px);
+    }
+    const auto within = [](double px, int most) {
+        return static_cast<int>(std::clamp(px, 0.0, double(most)));
+    };
+    return {within(seen.lo.x - 1, size.width), within(seen.lo.y - 1, size.height),
+            within(seen.hi.x + 2, size.width), within(seen.hi.y + 2, size.height)};
+}
+
 class Maker {
  public:
     Maker(const Scene& scene, const Screen& screen, int segments, bool wanted)
@@ -90,7 +110,7 @@ class Maker {
             segments_ != 0 ? segments_ : segments_for(radius_px(scene_, scene_.nodes[id], screen_));
         const double scale = circumscribed(n) * (1 + frame.slack);
         if (!(sphere.radius > 0) || !(glm::length(frame.eye) > scale * margin)) return false;
-        return place(id, frame, polyhedron(n), scale, n);
+        return place(id, frame, polyhedron(n), Vec3d(1), scale, n);
     }
 
     bool add(NodeId id, const Boxd& box) {
@@ -105,10 +125,12 @@ class Maker {
         }
         if (!outside) return false;
         hulls_.scene.geometries.emplace_back(box_mesh(half));
-        return place(id, frame, last_geometry(), 1, 0);
+        return place(id, frame, last_geometry(), half, 1, 0);
     }
 
-    bool place(NodeId id, const HullFrame& frame, GeometryId geometry, double scale, int n) {
+    /// `half`: of a box around the hull, in its coordinates.
+    bool place(NodeId id, const HullFrame& frame, GeometryId geometry, const Vec3d& half,
+               double scale, int n) {
         const double size = frame.size * scale;
         const Transform to_frame{glm::dmat3(1 / size), -frame.middle / size};
         Node& hull = hulls_.scene.nodes.emplace_back();
@@ -116,6 +138,9 @@ class Maker {
         hull.to_object = scene_.nodes[id].to_object.then(to_frame);
         hulls_.node_of.push_back(id);
         hulls_.segments.push_back(static_cast<std::uint8_t>(n));
+        const Vec3d reach = half * size;
+        hulls_.extents.push_back(extent_of({frame.middle - reach, frame.middle + reach},
+                                           scene_.nodes[id].to_world, screen_));
         return true;
     }
 

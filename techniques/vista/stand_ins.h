@@ -1,5 +1,6 @@
 #pragma once
 
+#include "framework/image/image.h"
 #include "framework/scene/scene.h"
 
 #include <vector>
@@ -15,6 +16,7 @@ struct Hulls {
     Scene scene;
     std::vector<NodeId> node_of;         ///< by node of `scene`: whose hull that is
     std::vector<std::uint8_t> segments;  ///< by node of `scene`: of a sphere's polyhedron; else 0
+    std::vector<Tile> extents;           ///< by node of `scene`: no pixel beyond sees its hull
     /// Nodes that no hull can stand for: they have no end, or the eye is inside or too near.
     std::vector<NodeId> boundless;
 };
