@@ -101,7 +101,10 @@ void ClassicBuffer::collect(const Scene& scene, const Shot& shot, const Params& 
     triangles_.clear();
     for (const auto& some : of_node) triangles_.insert(triangles_.end(), some.begin(), some.end());
     context.pause("clip");
+    if (context.plan().needed("lod")) context.did("lod", scene.nodes.size(), "nodes");
+    if (context.plan().needed("clip")) context.did("clip", triangles_.size(), "triangles kept");
     if (!context.plan().needed("sort")) return;
+    context.did("sort", triangles_.size(), "triangles");
     call_step(context, steps_.sort, reference_.sort, triangles_);
     context.pause("sort");
 }

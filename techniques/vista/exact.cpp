@@ -74,22 +74,29 @@ class Pixels {
         });
     }
 
-    void write(const ExactPlanes& planes, const Scene& scene) {
+    /// Row by row, as images lie in memory.
+    void write(const ExactPlanes& planes, const Scene& scene) const {
         NodeId last = no_node;
         bool mesh = false;
-        for_each([&](int k) {
-            const int x = x_of(k), y = y_of(k);
-            const NodeId node = found_.node[k];
-            if (node != last) {
-                mesh = node != no_node && is_mesh(scene, node);
+        const int width = tile_.width();
+        for (int y = tile_.y0; y < tile_.y1; ++y) {
+            Hit* const hits = &planes.hits(tile_.x0, y);
+            NodeId* const ids = &planes.ids(tile_.x0, y);
+            std::uint32_t* const triangles = &planes.triangles(tile_.x0, y);
+            std::uint8_t* const fell_back = &planes.fell_back(tile_.x0, y);
+            float* const lod = &planes.lod(tile_.x0, y);
+            for (int i = 0; i < width; ++i) {
+                const int k = entry_of(tile_.x0 - whole_.x0 + i, y - whole_.y0);
+                const NodeId node = found_.node[k];
+                if (node != last) mesh = node != no_node && is_mesh(scene, node);
                 last = node;
+                hits[i] = found_.hit(k);
+                ids[i] = node;
+                triangles[i] = mesh ? found_.primitive[k] : no_node;
+                fell_back[i] = doubtful_[static_cast<std::size_t>(k)];
+                lod[i] = segments_[static_cast<std::size_t>(k)];
             }
-            planes.hits(x, y) = found_.hit(k);
-            planes.ids(x, y) = node;
-            planes.triangles(x, y) = mesh ? found_.primitive[k] : no_node;
-            planes.fell_back(x, y) = doubtful_[k];
-            planes.lod(x, y) = segments_[k];
-        });
+        }
     }
 
     void record(RayLog& log) const {
@@ -105,6 +112,9 @@ class Pixels {
  private:
     [[nodiscard]] int x_of(int k) const { return whole_.x0 + ItemBuffer::x_in_tile(k); }
     [[nodiscard]] int y_of(int k) const { return whole_.y0 + ItemBuffer::y_in_tile(k); }
+
+    /// The inverse of x_in_tile() and y_in_tile().
+    static int entry_of(int x, int y) { return y / 4 * 64 + x / 4 * 16 + y % 4 * 4 + x % 4; }
 
     template <class Work>
     void for_each(Work&& work) const {

@@ -103,9 +103,9 @@ const Node* boundless_solid(const Scene& scene) {
 
 /// What the framework's buffer takes to set up a triangle, in pixels that a packet of rays traces
 /// in the same time. Measured, see README.md.
-constexpr double pixels_a_triangle = 0.3;
+constexpr double pixels_a_triangle = 4;
 /// The same of the classic steps.
-constexpr double classic_pixels_a_triangle = 3;
+constexpr double classic_pixels_a_triangle = 8;
 
 Stage buffer_stage(const Scene& scene, const Shot& shot) {
     const auto triangles = static_cast<double>(instanced_triangles(scene));

@@ -6,6 +6,7 @@
 #include "techniques/vista/exact.h"
 #include "techniques/vista/plan.h"
 
+#include <atomic>
 #include <bit>
 
 namespace luch::techniques::vista {
@@ -36,8 +37,10 @@ class Vista : public Technique {
         return plan_of(scene, shot, params_);
     }
 
-    void prepare(const Scene& scene, const Shot&, Context&) override {
-        if (Mode(params_.mode) == Mode::exact) exact_.prepare(scene);
+    void prepare(const Scene& scene, const Shot&, Context& context) override {
+        if (Mode(params_.mode) == Mode::exact && context.plan().needed("item buffer")) {
+            exact_.prepare(scene);
+        }
     }
 
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
@@ -83,11 +86,16 @@ class Vista : public Technique {
             frame.plane<std::uint32_t>("triangles", PlaneKind::id).view(),
             frame.plane<std::uint8_t>("fallbacks", PlaneKind::mask).view(),
             frame.plane<float>("lod", PlaneKind::scalar, "segments", 0, 64).view()};
+        std::atomic<std::uint64_t> searched = 0;
         context.for_each_tile(shot.size, [&](Tile tile, int worker) {
             Tracer& tracer = context.tracer(worker);
+            const std::uint64_t before = tracer.counts().fallbacks;
             exact_.look_up(tile, tracer, planes);
+            searched += tracer.counts().fallbacks - before;
             shade_tile(scene, shot, tile, needs, tracer, hits_.view(), frame.colour.view());
         });
+        context.did("item buffer", shot.size.area() - searched, "pixels");
+        context.did("stand-ins", exact_.hulls().node_of.size(), "hulls");
     }
 
     Params params_;
