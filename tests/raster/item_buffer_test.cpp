@@ -208,7 +208,7 @@ std::pair<int, int> compared(const ItemBuffer& buffer, int index) {
 TEST(ItemBuffer, ShowsATileAsItShowsItsPixels) {
     Scene scene = testing::empty_scene();
     const Mesh ball = testing::uv_sphere(9, 8, 1);
-    for (const double x : {-1.0, 0.5}) {
+    for (const double x : {-2.0, -0.5}) {  // a tile sees both
         testing::add_shape(scene, ball, Transform::translation({x, 0, 4}));
     }
     testing::add_shape(scene, Cube{.centre = {0, 2, 4}});
