@@ -66,7 +66,7 @@ std::uint64_t Stock::bytes() const {
     return sum;
 }
 
-Stock stock_of(const Scene& scene) {
+Stock stock_of(const Scene& scene, bool with_others) {
     Stock stock;
     stock.soups.resize(scene.geometries.size());
     std::uint64_t base = 0;
@@ -74,6 +74,7 @@ Stock stock_of(const Scene& scene) {
         const Node& node = scene.nodes[id];
         const auto* mesh = std::get_if<Mesh>(&scene.geometries[node.geometry]);
         if (mesh == nullptr) {
+            if (!with_others) continue;
             stock.others.push_back(
                 {node.to_world.box(bounds_of(scene.geometries[node.geometry])), slack_of(node)});
             continue;

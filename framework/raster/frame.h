@@ -31,7 +31,8 @@ struct Stock {
     [[nodiscard]] std::uint64_t bytes() const;
 };
 
-Stock stock_of(const Scene& scene);
+/// `with_others` false: nodes without a mesh are not there.
+Stock stock_of(const Scene& scene, bool with_others = true);
 
 /// The facets of one chunk of one node.
 struct Batch {

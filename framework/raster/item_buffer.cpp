@@ -49,8 +49,9 @@ struct ItemBuffer::State {
     }
 };
 
-ItemBuffer::ItemBuffer(const Scene& scene, Isa isa)
-    : state_(new State{&scene, &kernels_of(isa), stock_of(scene), {}, {}, {}}) {}
+ItemBuffer::ItemBuffer(const Scene& scene, Isa isa, Others others)
+    : state_(new State{
+          &scene, &kernels_of(isa), stock_of(scene, others == Others::mark), {}, {}, {}}) {}
 ItemBuffer::~ItemBuffer() = default;
 ItemBuffer::ItemBuffer(ItemBuffer&&) noexcept = default;
 
@@ -143,6 +144,29 @@ int ItemBuffer::resolve(int tile, const RayPacket& rays, HitPacket& hits) const 
         kernels.resolve(target, items, rays, model == first, hits);
     }
     return all.ambiguous;
+}
+
+void ItemBuffer::show(int tile, ItemPacket& packet) const {
+    const std::size_t first = state_->items_of(tile);
+    const raster::Frame& frame = state_->frame;
+    std::uint32_t base = 0, count = 0;  // of the model that was seen last
+    NodeId node = no_node;
+    for (std::size_t k = 0; k < RayPacket::capacity; ++k) {
+        const std::uint32_t item = frame.items[first + k];
+        packet.ambiguous[k] = (item & ambiguous_bit) != 0;
+        packet.depths[k] = frame.near.empty()
+                               ? ItemDepths{}
+                               : ItemDepths{frame.near[first + k], frame.second[first + k]};
+        packet.node[k] = no_node;
+        if (item >= no_item) continue;
+        if (item - base >= count) {
+            const Stock::Model& model = state_->stock.model_of(item);
+            base = model.base;
+            count = static_cast<std::uint32_t>(model.soup->triangles.size());
+            node = model.node;
+        }
+        packet.node[k] = node;
+    }
 }
 
 void ItemBuffer::trace_ambiguous(int tile, const RayPacket& rays, const Accelerator& accelerator,

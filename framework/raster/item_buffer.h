@@ -25,6 +25,13 @@ struct ItemDepths {
     float second = 0;
 };
 
+/// A tile of items, side by side as its rays are; of those beyond the frame nothing is known.
+struct ItemPacket {
+    NodeId node[RayPacket::capacity];  ///< no_node where there is no item, or none for certain
+    bool ambiguous[RayPacket::capacity];
+    ItemDepths depths[RayPacket::capacity];  ///< zero without with_depths
+};
+
 /// An item buffer (Weghorst, Hooper and Greenberg, "Improved Computational Methods for Ray
 /// Tracing", 1984): the triangle that each pixel's ray hits, found by rasterising in three
 /// dimensions: edges are planes through the eye, so nothing is clipped, projected or lost behind
@@ -33,8 +40,12 @@ struct ItemDepths {
 /// the pixels where they may be nearest. For pinhole cameras; see applies().
 class ItemBuffer {
  public:
+    /// What becomes of nodes that are no meshes: they mark pixels, or are left to the caller, as if
+    /// the scene did not have them.
+    enum class Others { mark, ignore };
+
     /// Keeps a reference to the scene, which must outlive it. Any `isa` gives the same bits.
-    explicit ItemBuffer(const Scene& scene, Isa isa = parsed_isa(""));
+    explicit ItemBuffer(const Scene& scene, Isa isa = parsed_isa(""), Others others = Others::mark);
     ~ItemBuffer();
     ItemBuffer(ItemBuffer&&) noexcept;
 
@@ -68,6 +79,8 @@ class ItemBuffer {
     /// The hits of a tile's rays, which must be those of rays(); pixels that are ambiguous or empty
     /// get Hit{}. Returns the number of ambiguous ones.
     int resolve(int tile, const RayPacket& rays, HitPacket& hits) const;
+    /// What the entries of a tile's packets show.
+    void show(int tile, ItemPacket& items) const;
     /// Traces the ambiguous ones. After it, hits are those of accelerator.closest(rays, …).
     void trace_ambiguous(int tile, const RayPacket& rays, const Accelerator& accelerator,
                          HitPacket& hits, WorkCounts& work) const;

@@ -1,5 +1,6 @@
 #include "framework/technique/context.h"
 
+#include <algorithm>
 #include <array>
 
 namespace luch {
@@ -46,6 +47,27 @@ Counts Context::take_counts() {
         tracer.counts() = {};
     }
     return sum;
+}
+
+void Context::did(std::string_view stage, std::uint64_t n, std::string_view counted) {
+    const std::lock_guard lock(mutex_);
+    auto found = std::ranges::find(work_, stage, &Stage::name);
+    if (found == work_.end()) {
+        found = work_.emplace(work_.end());
+        found->name = stage;
+    }
+    found->work += n;
+    found->worked_on = counted;
+}
+
+void Context::take_work(Plan& plan) {
+    for (const Stage& done : work_) {
+        const auto stage = std::ranges::find(plan.stages, done.name, &Stage::name);
+        if (stage == plan.stages.end()) continue;
+        stage->work = done.work;
+        stage->worked_on = done.worked_on;
+    }
+    work_.clear();
 }
 
 void Context::not_written(const std::string& task) {

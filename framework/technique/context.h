@@ -51,6 +51,15 @@ class Context {
     /// The counts of all tracers since the last call.
     Counts take_counts();
 
+    /// Counts work of one of the technique's own stages in this frame: `n` more "triangles",
+    /// "pixels"… Whole frames' sums: it locks.
+    void did(std::string_view stage, std::uint64_t n, std::string_view counted);
+    /// Tells the plan's stages what was counted of them, and begins anew.
+    void take_work(Plan& plan);
+
+    /// The threads themselves, for parts of the framework that share out their work.
+    [[nodiscard]] const Workers& pool() const { return *workers_; }
+
     /// A homework's task was not written; render goes on with the reference. Called by call_step().
     void not_written(const std::string& task);
     [[nodiscard]] const std::set<std::string>& unwritten() const { return unwritten_; }
@@ -73,6 +82,7 @@ class Context {
     Size watched_frame_;
     std::mutex mutex_;
     std::set<std::string> unwritten_;
+    std::vector<Stage> work_;
 };
 
 /// Calls a step of a technique's table. Where a homework left a hole, the task is recorded and the

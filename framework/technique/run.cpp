@@ -74,6 +74,7 @@ Outcome run_once(Technique& technique, const Studio& studio, const Shot& shot, c
         technique.render(studio.scene, shot, outcome.frame, context);
         const double wall = frame.wall_ms(), cpu = frame.cpu_ms();
         outcome.counts = context.take_counts();
+        context.take_work(outcome.plan);
         wanted = frames_worth(wanted, wall);
         if (made < 0 && wall <= endless_ms) continue;
         if (made < 0) made = 0;

@@ -1,6 +1,8 @@
 #include "techniques/vista/buffer.h"
 
 #include "techniques/vista/plan.h"
+#include "techniques/vista/repair.h"
+#include "techniques/vista/stand_ins.h"
 
 namespace luch::techniques::vista {
 namespace {
@@ -57,8 +59,8 @@ std::pair<int, int> bins_between(double least, double most, int pixels) {
 }  // namespace
 
 /// lod, tessellate and clip for one node.
-std::vector<Tri> ItemBuffer::in_view(NodeId id, const Scene& scene, const Shot& shot,
-                                     const Params& params, Context& context) const {
+std::vector<Tri> ClassicBuffer::in_view(NodeId id, const Scene& scene, const Shot& shot,
+                                        const Params& params, Context& context) const {
     const Screen screen(shot.camera, shot.size);
     const Node& node = scene.nodes[id];
     const Geometry& geometry = scene.geometries[node.geometry];
@@ -67,9 +69,16 @@ std::vector<Tri> ItemBuffer::in_view(NodeId id, const Scene& scene, const Shot& 
         const float radius = radius_px(scene, node, screen);
         n = call_step(context, steps_.lod, reference_.lod, geometry, radius);
     }
-    if (params.segments != 0) n = std::max(params.segments, least_segments);
+    if (params.segments != 0) n = asked_segments(params);
     std::vector<Tri> triangles;
-    call_step(context, steps_.tessellate, reference_.tessellate, geometry, n, triangles);
+    const auto* sphere = std::get_if<Sphere>(&geometry);
+    if (sphere != nullptr && Repair(params.repair) != Repair::none) {
+        const Geometry larger =
+            Sphere{sphere->centre, sphere->radius * circumscribed(std::max(n, least_segments))};
+        call_step(context, steps_.tessellate, reference_.tessellate, larger, n, triangles);
+    } else {
+        call_step(context, steps_.tessellate, reference_.tessellate, geometry, n, triangles);
+    }
     drop_backs(geometry, node.to_object.point(screen.eye()), triangles);
     const ToView to_view(node, shot, screen);
     for (Tri& triangle : triangles) {
@@ -82,8 +91,8 @@ std::vector<Tri> ItemBuffer::in_view(NodeId id, const Scene& scene, const Shot& 
     return inside;
 }
 
-void ItemBuffer::collect(const Scene& scene, const Shot& shot, const Params& params,
-                         Context& context) {
+void ClassicBuffer::collect(const Scene& scene, const Shot& shot, const Params& params,
+                            Context& context) {
     std::vector<std::vector<Tri>> of_node(scene.nodes.size());
     context.for_each(static_cast<int>(scene.nodes.size()), [&](int i, int) {
         of_node[static_cast<std::size_t>(i)] =
@@ -92,12 +101,15 @@ void ItemBuffer::collect(const Scene& scene, const Shot& shot, const Params& par
     triangles_.clear();
     for (const auto& some : of_node) triangles_.insert(triangles_.end(), some.begin(), some.end());
     context.pause("clip");
+    if (context.plan().needed("lod")) context.did("lod", scene.nodes.size(), "nodes");
+    if (context.plan().needed("clip")) context.did("clip", triangles_.size(), "triangles kept");
     if (!context.plan().needed("sort")) return;
+    context.did("sort", triangles_.size(), "triangles");
     call_step(context, steps_.sort, reference_.sort, triangles_);
     context.pause("sort");
 }
 
-void ItemBuffer::project(const Screen& screen, Context& context) {
+void ClassicBuffer::project(const Screen& screen, Context& context) {
     screen_triangles_.assign(triangles_.size(), {});
     context.for_each(blocks(triangles_.size()), [&](int i, int) {
         const std::size_t first = static_cast<std::size_t>(i) * block;
@@ -108,7 +120,7 @@ void ItemBuffer::project(const Screen& screen, Context& context) {
     });
 }
 
-void ItemBuffer::share_out(Size size) {
+void ClassicBuffer::share_out(Size size) {
     const int across = (size.width + bin_side - 1) / bin_side;
     const int down = (size.height + bin_side - 1) / bin_side;
     bins_.resize(static_cast<std::size_t>(across) * static_cast<std::size_t>(down));
@@ -126,10 +138,12 @@ void ItemBuffer::share_out(Size size) {
     }
 }
 
-void ItemBuffer::paint(const Screen& screen, const Params& params, Context& context,
-                       ImageView<NodeId> ids, ImageView<float> depth) {
+void ClassicBuffer::paint(const Screen& screen, const Params& params, Context& context,
+                          ImageView<NodeId> ids, ImageView<float> depth) {
     project(screen, context);
     share_out(screen.size());
+    checked_ = Repair(params.repair) == Repair::both;
+    if (checked_ && second_.size() != screen.size()) second_ = Image<float>(screen.size());
     const int across = (screen.size().width + bin_side - 1) / bin_side;
     std::vector<std::vector<ScreenTri>> batches(static_cast<std::size_t>(context.workers()));
     context.for_each_tile(
@@ -143,16 +157,20 @@ void ItemBuffer::paint(const Screen& screen, const Params& params, Context& cont
             }
             call_step(context, steps_.rasterise, reference_.rasterise,
                       std::span<const ScreenTri>(batch), tile, Hidden(params.hidden), ids, depth);
+            if (checked_) second_depths(batch, tile, ids, second_.view());
         },
         bin_side);
     context.pause("rasterise");
 }
 
-std::uint64_t ItemBuffer::look_up(const Screen& screen, Tile tile, int worker, Context& context,
-                                  ImageView<const NodeId> ids, ImageView<Hit> hits,
-                                  ImageView<std::uint8_t> fell_back) const {
+std::uint64_t ClassicBuffer::look_up(const Screen& screen, Tile tile, int worker, Context& context,
+                                     ImageView<const NodeId> ids, ImageView<Hit> hits,
+                                     ImageView<std::uint8_t> fell_back) const {
     call_step(context, steps_.look_up, reference_.look_up, screen, tile, ids,
               context.tracer(worker), hits, fell_back);
+    if (checked_) {
+        trace_doubtful(screen, tile, second_.view(), context.tracer(worker), hits, fell_back);
+    }
     std::uint64_t count = 0;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) count += fell_back(x, y);
@@ -160,7 +178,7 @@ std::uint64_t ItemBuffer::look_up(const Screen& screen, Tile tile, int worker, C
     return count;
 }
 
-double ItemBuffer::farthest_depth() const {
+double ClassicBuffer::farthest_depth() const {
     double farthest = 0;
     for (const Tri& triangle : triangles_) {
         for (const auto& [p, w] : triangle.corners) {

@@ -7,9 +7,9 @@ namespace luch::techniques::vista {
 
 /// The plumbing: calls the steps in their order on many threads and hands on what they make. Its
 /// memory is kept from frame to frame.
-class ItemBuffer {
+class ClassicBuffer {
  public:
-    explicit ItemBuffer(const Steps& steps) : steps_(steps), reference_(reference()) {}
+    explicit ClassicBuffer(const Steps& steps) : steps_(steps), reference_(reference()) {}
 
     /// lod, tessellate, clip, sort: the triangles in view.
     void collect(const Scene& scene, const Shot& shot, const Params& params, Context& context);
@@ -34,6 +34,8 @@ class ItemBuffer {
     Steps steps_, reference_;
     std::vector<Tri> triangles_;  ///< in view, in painting order
     std::vector<ScreenTri> screen_triangles_;
+    bool checked_ = false;  ///< hits count only when they are nearer than `second_`
+    Image<float> second_;
     std::vector<std::vector<std::uint32_t>> bins_;  ///< of a tile: indices, in painting order
 };
 

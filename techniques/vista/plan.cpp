@@ -1,6 +1,7 @@
 #include "techniques/vista/plan.h"
 
 #include "framework/baseline/classic.h"
+#include "techniques/vista/exact.h"
 
 #include <fmt/format.h>
 
@@ -68,8 +69,11 @@ Stage lod_stage(const Scene& scene, const Params& params) {
                         : "no spheres: every shape has triangles of its own"};
 }
 
-Stage clip_stage(const Scene& scene, const Screen& screen) {
+Stage clip_stage(const Scene& scene, const Screen& screen, const Params& params) {
     const std::size_t crossing = crossing_nodes(scene, screen);
+    if (crossing == 0 && Repair(params.repair) != Repair::none && nodes_with<Sphere>(scene) > 0) {
+        return {"clip", true, Stage::exact, "polyhedra around spheres may leave the view volume"};
+    }
     return {"clip", crossing > 0, Stage::exact,
             crossing > 0 ? fmt::format("{} nodes are not wholly in the view volume", crossing)
                          : "every node is wholly in the view volume"};
@@ -95,6 +99,73 @@ const Node* boundless_solid(const Scene& scene) {
         }
     }
     return nullptr;
+}
+
+/// What the framework's buffer takes to set up a triangle, in pixels that a packet of rays traces
+/// in the same time. Measured, see README.md.
+constexpr double pixels_a_triangle = 4;
+/// The same of the classic steps.
+constexpr double classic_pixels_a_triangle = 8;
+
+Stage buffer_stage(const Scene& scene, const Shot& shot) {
+    const auto triangles = static_cast<double>(instanced_triangles(scene));
+    const double ratio = triangles / static_cast<double>(shot.size.area());
+    const bool pays = ratio * pixels_a_triangle < 1;
+    return {
+        "item buffer", pays, Stage::exact,
+        pays ? fmt::format("{:.2g} triangles a pixel", ratio)
+             : fmt::format("does not pay: {:.2g} triangles a pixel to set up, instances counted, "
+                           "take longer than tracing the pixels",
+                           ratio)};
+}
+
+Stage stand_in_stage(const Scene& scene) {
+    const std::size_t others = scene.nodes.size() - nodes_with<Mesh>(scene);
+    return {"stand-ins", others > 0, Stage::exact,
+            others > 0 ? fmt::format("{} nodes are no meshes: hulls stand for them", others)
+                       : "every node is a mesh"};
+}
+
+Plan exact_plan(const Scene& scene, const Shot& shot, const Params& params) {
+    if (instanced_triangles(scene) > ExactBuffer::most_triangles) {
+        return {false, "more than 2^31 triangles, instances counted: they have no numbers", {}};
+    }
+    Plan plan{true, "", classic_stages(scene, shot)};
+    const Stage buffer = buffer_stage(scene, shot);
+    plan.why = buffer.needed ? "the baseline's picture; primary hits without a search" : buffer.why;
+    plan.stages.push_back(buffer);
+    plan.stages.push_back(stand_in_stage(scene));
+    plan.stages.push_back(lod_stage(scene, params));
+    return plan;
+}
+
+Plan classic_plan(const Scene& scene, const Shot& shot, const Params& params) {
+    constexpr std::uint64_t most_triangles = 1 << 23;
+    const std::uint64_t count = instanced_triangles(scene);
+    if (count > most_triangles) {
+        return {false,
+                fmt::format("{} triangles, instances counted: the buffer holds each of them, and "
+                            "more than {} are too many",
+                            count, most_triangles),
+                {}};
+    }
+    if (const Node* node = boundless_solid(scene)) {
+        return {
+            false,
+            fmt::format("the solid \"{}\" has no end: no triangles can stand for it", node->name),
+            {}};
+    }
+    const Screen screen(shot.camera, shot.size);
+    Plan plan{true, "one object test a covered pixel instead of a search", {}};
+    const double ratio = static_cast<double>(count) / static_cast<double>(shot.size.area());
+    if (ratio * classic_pixels_a_triangle > 1) {
+        plan.why = fmt::format("does not pay: {:.2g} triangles a pixel, instances counted", ratio);
+    }
+    plan.stages = classic_stages(scene, shot);
+    plan.stages.push_back(lod_stage(scene, params));
+    plan.stages.push_back(clip_stage(scene, screen, params));
+    plan.stages.push_back(sort_stage(scene, params));
+    return plan;
 }
 
 }  // namespace
@@ -135,27 +206,8 @@ Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
                             shot.spp),
                 {}};
     }
-    constexpr std::uint64_t most_triangles = 1 << 23;
-    if (const std::uint64_t count = instanced_triangles(scene); count > most_triangles) {
-        return {false,
-                fmt::format("{} triangles, instances counted: the buffer holds each of them, and "
-                            "more than {} are too many",
-                            count, most_triangles),
-                {}};
-    }
-    if (const Node* node = boundless_solid(scene)) {
-        return {
-            false,
-            fmt::format("the solid \"{}\" has no end: no triangles can stand for it", node->name),
-            {}};
-    }
-    const Screen screen(shot.camera, shot.size);
-    Plan plan{true, "one object test a covered pixel instead of a search", {}};
-    plan.stages = classic_stages(scene, shot);
-    plan.stages.push_back(lod_stage(scene, params));
-    plan.stages.push_back(clip_stage(scene, screen));
-    plan.stages.push_back(sort_stage(scene, params));
-    return plan;
+    return Mode(params.mode) == Mode::exact ? exact_plan(scene, shot, params)
+                                            : classic_plan(scene, shot, params);
 }
 
 }  // namespace luch::techniques::vista

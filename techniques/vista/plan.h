@@ -4,8 +4,8 @@
 
 namespace luch::techniques::vista {
 
-/// Does an item buffer do for this shot, and which of its stages ("lod", "clip", "sort") does it
-/// need?
+/// Does an item buffer do for this shot, and which of its stages does it need: "lod", "clip",
+/// "sort" of the classic; "item buffer", "stand-ins", "lod" of exact mode?
 Plan plan_of(const Scene& scene, const Shot& shot, const Params& params);
 
 /// The radius in pixels that a node appears with; infinite when the eye is inside its bounding

@@ -56,6 +56,15 @@ double pixel_grid(Size size);
 /// How rasterise() decides which triangle is seen.
 enum class Hidden { painter, depth };
 
+/// classic: the lecture's algorithm, made of the steps below. exact: the framework's item buffer of
+/// triangles, and hulls around what is no mesh; every pixel gets the baseline's own hit.
+enum class Mode { exact, classic };
+
+/// What is repaired of the classic's holes. circumscribed: spheres get polyhedra around them, so
+/// that nothing is lost beside them. both: a hit also counts only when it is certainly nearer than
+/// all other nodes' triangles in the pixel; else the ray is traced.
+enum class Repair { none, circumscribed, both };
+
 /// The lecture's steps; a homework replaces one after the other. A step reads what it likes and
 /// writes only what is named as its result; any tiling gives the same bits. Results that are
 /// vectors are replaced.
@@ -104,15 +113,21 @@ void tessellate(const Geometry& geometry, int n, std::vector<Tri>& triangles);
 
 /// What a user may set.
 struct Params {
-    int segments = 0;  ///< of every sphere; 0: by lod()
-    int hidden = 0;    ///< an index: Hidden
+    int mode = 0;      ///< an index: Mode
+    int segments = 0;  ///< of every sphere; 0: by its size
+    int hidden = 0;    ///< an index: Hidden; of the classic
+    int repair = 0;    ///< an index: Repair; of the classic
 };
+
+/// 0, or what is asked for, as far as it makes a polyhedron.
+int asked_segments(const Params& params);
 
 /// Segments that lod() may answer, and that a user may ask for.
 inline constexpr int least_segments = 4, most_segments = 128;
 
-/// The technique, made of these steps; each one's holes are filled by the reference.
-std::unique_ptr<Technique> make(const Steps& steps);
+/// The technique, made of these steps; each one's holes are filled by the reference. `mode`: what
+/// it starts with.
+std::unique_ptr<Technique> make(const Steps& steps, Mode mode = Mode::classic);
 
 /// Its parameter to walk along.
 extern const std::span<const double> segments_sweep;

@@ -185,5 +185,64 @@ TEST(ItemBuffer, AppliesToPinholeCamerasOnly) {
     }
 }
 
+/// Compares what a tile and its pixels are said to show; counts ambiguous pixels and items.
+std::pair<int, int> compared(const ItemBuffer& buffer, int index) {
+    ItemPacket packet;
+    buffer.show(index, packet);
+    const Tile tile = buffer.tile(index);
+    std::pair<int, int> counts;
+    for (int k = 0; k < RayPacket::capacity; ++k) {
+        const int x = tile.x0 + ItemBuffer::x_in_tile(k), y = tile.y0 + ItemBuffer::y_in_tile(k);
+        if (x >= tile.x1 || y >= tile.y1) continue;
+        const Item item = buffer.item(x, y);
+        EXPECT_EQ(packet.ambiguous[k], item.ambiguous);
+        EXPECT_EQ(packet.node[k], item.node);
+        EXPECT_EQ(packet.depths[k].nearest, buffer.depths(x, y).nearest);
+        EXPECT_EQ(packet.depths[k].second, buffer.depths(x, y).second);
+        counts.first += item.ambiguous;
+        counts.second += item.node != no_node;
+    }
+    return counts;
+}
+
+TEST(ItemBuffer, ShowsATileAsItShowsItsPixels) {
+    Scene scene = testing::empty_scene();
+    const Mesh ball = testing::uv_sphere(9, 8, 1);
+    for (const double x : {-2.0, -0.5}) {  // a tile sees both
+        testing::add_shape(scene, ball, Transform::translation({x, 0, 4}));
+    }
+    testing::add_shape(scene, Cube{.centre = {0, 2, 4}});
+    ItemBuffer buffer(scene);
+    buffer.draw(Screen(scene.camera, {70, 50}), Vec2d(0.5), Workers(1), true);
+    int ambiguous = 0, shown = 0;
+    for (int i = 0; i < buffer.tile_count(); ++i) {
+        const auto [doubtful, items] = compared(buffer, i);
+        ambiguous += doubtful;
+        shown += items;
+    }
+    EXPECT_GT(ambiguous, 20);
+    EXPECT_GT(shown, 100);
+}
+
+TEST(ItemBuffer, LeavesNodesWithoutAMeshToTheCallerWhenAsked) {
+    const Scene scene = testing::one_of_each();
+    Scene meshes = scene;
+    std::erase_if(meshes.nodes, [&](const Node& node) {
+        return !std::holds_alternative<Mesh>(scene.geometries[node.geometry]);
+    });
+    ItemBuffer ignoring(scene, parsed_isa(""), ItemBuffer::Others::ignore), alone(meshes);
+    const Screen screen(scene.camera, {160, 120});
+    for (ItemBuffer* buffer : {&ignoring, &alone}) buffer->draw(screen, Vec2d(0.5), Workers(1));
+    for (int y = 0; y < 120; ++y) {
+        for (int x = 0; x < 160; ++x) {
+            const Item a = ignoring.item(x, y), b = alone.item(x, y);
+            EXPECT_EQ(a.ambiguous, b.ambiguous);
+            EXPECT_EQ(a.node == no_node, b.node == no_node);
+            EXPECT_EQ(a.triangle, b.triangle);
+        }
+    }
+    EXPECT_LT(ignoring.ambiguous_count(), 20u);
+}
+
 }  // namespace
 }  // namespace luch

@@ -32,6 +32,9 @@ class Fake final : public Technique {
         for (int worker = 0; worker < context.workers(); ++worker) {
             static_cast<void>(context.tracer(worker).closest(RayKind::glossy, Ray{}));
         }
+        context.did("extra", 40, "things");
+        context.did("extra", 2, "things");
+        context.did("no stage of the plan", 7, "");
         frame.colour(3, 2).g = std::numeric_limits<float>::quiet_NaN();
     }
 };
@@ -51,6 +54,15 @@ TEST(Run, WarmsUpBeforeASingleFrame) {
     const Outcome outcome = run(fake, studio.studio(), shot_of(studio.scene()), {}, {1, 1});
     EXPECT_EQ(fake.frames, 2);
     EXPECT_EQ(outcome.frame_ms.size(), 1u);
+}
+
+TEST(Run, TellsStagesWhatATechniqueCountedInOneFrame) {
+    const testing::OwnStudio studio(testing::empty_scene());
+    Fake fake;
+    const Outcome outcome = run(fake, studio.studio(), shot_of(studio.scene()), {}, {1, 3});
+    ASSERT_EQ(outcome.plan.stages.size(), 1u);
+    EXPECT_EQ(outcome.plan.stages[0].work, 42u);
+    EXPECT_EQ(outcome.plan.stages[0].worked_on, "things");
 }
 
 TEST(Run, CountsTheRaysOfOneFrameOverAllThreads) {

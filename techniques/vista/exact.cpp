@@ -1,0 +1,210 @@
+#include "techniques/vista/exact.h"
+
+#include "techniques/vista/vista.h"
+
+#include <array>
+
+namespace luch::techniques::vista {
+namespace {
+
+static_assert(ItemBuffer::tile_side == Context::tile_side);
+
+/// No inverse depth of a front exceeds its ItemDepths::nearest by more: (1 + ρ) / (1 − ρ), ρ ≤
+/// 1/16.
+constexpr double front_spread = 1.14;
+/// A hit's t is rounded to float, and its inverse depth reckoned from it.
+constexpr double rounding = 1 - 0x1p-20;
+
+/// More nodes are not tested one by one in a pixel: a search is quicker.
+constexpr std::size_t most_tests = 8;
+
+/// The pixels of one tile while their hits are found, in the order of the framework's packets.
+class Pixels {
+ public:
+    Pixels(const Screen& screen, const ItemBuffer& meshes, int index, Tile tile, Tracer& tracer)
+        : screen_(screen),
+          tracer_(tracer),
+          whole_(meshes.tile(index)),
+          tile_(tile),
+          packet_(meshes.rays(index)) {
+        if (meshes.resolve(index, packet_, found_) == 0) return;
+        meshes.show(index, items_);
+        for_each([&](int k) { doubtful_[k] = items_.ambiguous[k]; });
+    }
+
+    /// One node, in every pixel.
+    void test(NodeId node) {
+        for_each([&](int k) {
+            if (!doubtful_[k]) test(k, node);
+        });
+    }
+
+    /// The nodes whose hulls are in front.
+    void test_fronts(const ItemBuffer& fronts, const Hulls& hulls, int index) {
+        fronts.show(index, items_);
+        for_each([&](int k) {
+            if (doubtful_[k]) return;
+            const NodeId hull = items_.node[k];
+            if (hull == no_node) {
+                if (items_.ambiguous[k]) test_all(k, hulls);
+                return;
+            }
+            segments_[k] = hulls.segments[hull];
+            const ItemDepths& depths = items_.depths[k];
+            if (inverse_depth(k) > front_spread * depths.nearest) return;
+            test(k, hulls.node_of[hull]);
+            if (inverse_depth(k) * rounding > depths.second || depths.second == 0) return;
+            test_all(k, hulls);
+        });
+    }
+
+    /// All that is in doubt.
+    void trace() {
+        std::vector<Ray> rays;
+        for_each([&](int k) {
+            if (doubtful_[k]) rays.push_back(packet_.ray(k));
+        });
+        if (rays.empty()) return;
+        std::vector<Hit> hits(rays.size());
+        tracer_.closest(RayKind::primary, rays, hits);
+        tracer_.counts().fallbacks += rays.size();
+        auto next = hits.begin();
+        for_each([&](int k) {
+            if (doubtful_[k]) found_.set(k, *next++);
+        });
+    }
+
+    /// Row by row, as images lie in memory.
+    void write(const ExactPlanes& planes, const Scene& scene) const {
+        NodeId last = no_node;
+        bool mesh = false;
+        const int width = tile_.width();
+        for (int y = tile_.y0; y < tile_.y1; ++y) {
+            Hit* const hits = &planes.hits(tile_.x0, y);
+            NodeId* const ids = &planes.ids(tile_.x0, y);
+            std::uint32_t* const triangles = &planes.triangles(tile_.x0, y);
+            std::uint8_t* const fell_back = &planes.fell_back(tile_.x0, y);
+            float* const lod = &planes.lod(tile_.x0, y);
+            for (int i = 0; i < width; ++i) {
+                const int k = entry_of(tile_.x0 - whole_.x0 + i, y - whole_.y0);
+                const NodeId node = found_.node[k];
+                if (node != last) mesh = node != no_node && is_mesh(scene, node);
+                last = node;
+                hits[i] = found_.hit(k);
+                ids[i] = node;
+                triangles[i] = mesh ? found_.primitive[k] : no_node;
+                fell_back[i] = doubtful_[static_cast<std::size_t>(k)];
+                lod[i] = segments_[static_cast<std::size_t>(k)];
+            }
+        }
+    }
+
+    void record(RayLog& log) const {
+        std::vector<Ray> rays;
+        std::vector<Hit> hits;
+        for_each([&](int k) {
+            rays.push_back(packet_.ray(k));
+            hits.push_back(found_.hit(k));
+        });
+        log.closest(RayKind::primary, rays, hits);
+    }
+
+ private:
+    [[nodiscard]] int x_of(int k) const { return whole_.x0 + ItemBuffer::x_in_tile(k); }
+    [[nodiscard]] int y_of(int k) const { return whole_.y0 + ItemBuffer::y_in_tile(k); }
+
+    /// The inverse of x_in_tile() and y_in_tile().
+    static int entry_of(int x, int y) { return y / 4 * 64 + x / 4 * 16 + y % 4 * 4 + x % 4; }
+
+    template <class Work>
+    void for_each(Work&& work) const {
+        const bool all = tile_.area() == RayPacket::capacity;
+        for (int k = 0; k < RayPacket::capacity; ++k) {
+            if (all || inside(tile_, x_of(k), y_of(k))) work(k);
+        }
+    }
+
+    static bool inside(const Tile& tile, int x, int y) {
+        return x >= tile.x0 && x < tile.x1 && y >= tile.y0 && y < tile.y1;
+    }
+
+    static bool is_mesh(const Scene& scene, NodeId node) {
+        return std::holds_alternative<Mesh>(scene.geometries[scene.nodes[node].geometry]);
+    }
+
+    /// Where the node in front was not enough: all whose hulls may be there, if they are few.
+    void test_all(int k, const Hulls& hulls) {
+        std::array<NodeId, most_tests> about;
+        std::size_t count = 0;
+        for (std::size_t hull = 0; hull < hulls.extents.size(); ++hull) {
+            if (!inside(hulls.extents[hull], x_of(k), y_of(k))) continue;
+            if (count == most_tests) {
+                doubtful_[k] = true;
+                return;
+            }
+            about[count++] = hulls.node_of[hull];
+        }
+        for (std::size_t i = 0; i < count; ++i) test(k, about[i]);
+    }
+
+    /// Keeps what is nearer than the hit so far.
+    void test(int k, NodeId node) {
+        const Ray ray = packet_.ray(k);
+        Hit hit;
+        tracer_.test({&node, 1}, {&ray, 1}, {&hit, 1});
+        if (hit && nearer(hit, found_.hit(k))) found_.set(k, hit);
+    }
+
+    /// 0 where nothing was hit.
+    [[nodiscard]] double inverse_depth(int k) const {
+        if (found_.node[k] == no_node) return 0;
+        const Vec3d direction(packet_.x[k], packet_.y[k], packet_.z[k]);
+        return 1 / (double(found_.t[k]) * glm::dot(direction, screen_.forward()));
+    }
+
+    const Screen& screen_;
+    Tracer& tracer_;
+    Tile whole_, tile_;
+    RayPacket packet_;
+    HitPacket found_;
+    ItemPacket items_;
+    std::array<std::uint8_t, RayPacket::capacity> doubtful_{}, segments_{};
+};
+
+}  // namespace
+
+void ExactBuffer::prepare(const Scene& scene) {
+    scene_ = &scene;
+    meshes_.emplace(scene, parsed_isa(""), ItemBuffer::Others::ignore);
+}
+
+void ExactBuffer::draw(const Shot& shot, int segments, bool stand_ins, Context& context) {
+    screen_.emplace(shot.camera, shot.size);
+    meshes_->draw(*screen_, Vec2d(0.5), context.pool());
+    context.pause("item buffer");
+    fronts_.reset();
+    hulls_ = hulls_of(*scene_, *screen_, segments, stand_ins);
+    if (!hulls_.scene.nodes.empty()) {
+        fronts_.emplace(hulls_.scene);
+        fronts_->draw(*screen_, Vec2d(0.5), context.pool(), true);
+    }
+    context.pause("stand-ins");
+}
+
+void ExactBuffer::look_up(Tile tile, Tracer& tracer, const ExactPlanes& planes) const {
+    constexpr int side = ItemBuffer::tile_side;
+    const int across = (screen_->size().width + side - 1) / side;
+    const int index = tile.y0 / side * across + tile.x0 / side;
+    // A watched pixel is one primary ray, however its hit is found.
+    RayLog* const log = tracer.log();
+    tracer.record(nullptr);
+    Pixels pixels(*screen_, *meshes_, index, tile, tracer);
+    for (const NodeId node : hulls_.boundless) pixels.test(node);
+    if (fronts_) pixels.test_fronts(*fronts_, hulls_, index);
+    pixels.trace();
+    pixels.write(planes, *scene_);
+    tracer.record(log);
+    if (log != nullptr) pixels.record(*log);
+}
+
+}  // namespace luch::techniques::vista
