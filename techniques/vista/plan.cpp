@@ -102,9 +102,9 @@ const Node* boundless_solid(const Scene& scene) {
 }
 
 /// What the framework's buffer takes to set up a triangle, in pixels that a packet of rays traces
-/// in the same time. Measured, see README.md.
+/// in the same time: an estimate from the times in README.md.
 constexpr double pixels_a_triangle = 4;
-/// The same of the classic steps.
+/// The same of the classic steps, roughly.
 constexpr double classic_pixels_a_triangle = 8;
 
 Stage buffer_stage(const Scene& scene, const Shot& shot) {
