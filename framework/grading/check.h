@@ -26,16 +26,16 @@ struct Matrix {
     struct Row {
         const Other* other = nullptr;
         std::vector<std::size_t> failures{};  ///< of each test: how many of its cases
-        std::size_t cases_named = 0;        ///< distinct names of cases that failed
-        std::string likely{};               ///< a mutant: the name that its own failures lead to
-        std::string first{};                ///< the first failure in words
+        std::size_t cases_named = 0;          ///< distinct names of cases that failed
+        std::string likely{};                 ///< a mutant: the name that its own failures lead to
+        std::string first{};                  ///< the first failure in words
     };
     std::vector<Row> rows;
 };
 
 /// Tries every mutant on the tests of the task that it changes. Killed: on two scenes or more.
 Matrix kill_matrix(const Homework& homework, const JudgeOptions& judge);
-/// Tries every honest variant on all tests.
+/// Tries every honest variant on the tests of the step that it changes (all, where it names none).
 Matrix variant_matrix(const Homework& homework, const JudgeOptions& judge);
 
 /// Whether every mutant died on two scenes and was named as what it is; every variant passed.

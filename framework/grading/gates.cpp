@@ -26,6 +26,18 @@ bool near_edge(Ids ids, int x, int y) {
     return false;
 }
 
+/// An element's part of a signature.
+std::uint32_t mark_of(std::uint32_t element, std::uint64_t how) {
+    return static_cast<std::uint32_t>(Key(element).bits(how));
+}
+
+/// Which way a number is wrong and, to a power of two, by how much.
+std::uint64_t how_wrong(double difference) {
+    if (!std::isfinite(difference)) return 1;
+    const int power = static_cast<int>(std::lround(std::log2(std::abs(difference)))) + 2048;
+    return static_cast<std::uint64_t>(2 * power + (difference < 0 ? 1 : 0));
+}
+
 std::string id_text(std::uint32_t id) {
     return id == none ? "none" : std::to_string(id);
 }
@@ -59,6 +71,7 @@ Finding same_ids(Ids yours, Ids reference, std::string_view thing) {
                 point_at(finding, x, y, id_text(reference(x, y)), id_text(yours(x, y)));
             }
             finding.wrong.push_back(index_of(size, x, y));
+            finding.signature.push_back(mark_of(finding.wrong.back(), yours(x, y)));
             all_near = all_near && near_edge(reference, x, y);
         }
     }
@@ -92,20 +105,24 @@ Finding same_depths(ImageView<const float> yours, ImageView<const float> referen
             if (!near_edge(reference_ids, x, y)) largest = std::max(largest, error);
             if (error <= most_at_percentile) continue;
             if (finding.wrong.empty()) {
-                point_at(finding, x, y, fmt::format("{:.5g}", expected), fmt::format("{:.5g}", got));
+                point_at(finding, x, y, fmt::format("{:.5g}", expected),
+                         fmt::format("{:.5g}", got));
             }
             finding.wrong.push_back(index_of(size, x, y));
+            finding.signature.push_back(mark_of(finding.wrong.back(), how_wrong(got - expected)));
         }
     }
     if (errors.empty()) return {};
-    const auto rank = static_cast<std::ptrdiff_t>(percentile * static_cast<double>(errors.size() - 1));
+    const auto rank =
+        static_cast<std::ptrdiff_t>(percentile * static_cast<double>(errors.size() - 1));
     std::nth_element(errors.begin(), errors.begin() + rank, errors.end());
     const double at_percentile = errors[static_cast<std::size_t>(rank)];
     finding.passed = at_percentile <= most_at_percentile && largest <= most_off_edge;
     if (finding.passed) return {};
-    finding.what = fmt::format("{} of {} pixels have the wrong depth; off the edges the largest "
-                               "error is {:.2g} of it",
-                               finding.wrong.size(), errors.size(), largest);
+    finding.what = fmt::format(
+        "{} of {} pixels have the wrong depth; off the edges the largest "
+        "error is {:.2g} of it",
+        finding.wrong.size(), errors.size(), largest);
     finding.pictures = {{"yours", depth_greys(yours)},
                         {"reference", depth_greys(reference)},
                         {"difference", marked(size, finding.wrong)}};
@@ -115,8 +132,8 @@ Finding same_depths(ImageView<const float> yours, ImageView<const float> referen
 Finding same_numbers(std::span<const double> yours, std::span<const double> reference,
                      double tolerance, std::string_view name, std::size_t per) {
     if (yours.size() != reference.size()) {
-        return failure(fmt::format("{} numbers ({}) instead of {}", yours.size(), name,
-                                   reference.size()));
+        return failure(
+            fmt::format("{} numbers ({}) instead of {}", yours.size(), name, reference.size()));
     }
     Finding finding;
     for (std::size_t i = 0; i < yours.size(); ++i) {
@@ -130,11 +147,13 @@ Finding same_numbers(std::span<const double> yours, std::span<const double> refe
         if (finding.wrong.empty() || finding.wrong.back() != element) {
             finding.wrong.push_back(element);
         }
+        finding.signature.push_back(
+            mark_of(static_cast<std::uint32_t>(i), how_wrong(yours[i] - reference[i])));
     }
     finding.passed = finding.wrong.empty();
     if (finding.passed) return {};
-    finding.what = fmt::format("{} of {}: {} is wrong", finding.wrong.size(), yours.size() / per,
-                               name);
+    finding.what =
+        fmt::format("{} of {}: {} is wrong", finding.wrong.size(), yours.size() / per, name);
     return finding;
 }
 

@@ -40,8 +40,9 @@ void keep_only(Homework& homework, const std::string& filter) {
     for (const Task& task : homework.tasks) {
         for (const Test& test : task.tests) {
             if (test.cases.empty()) {
-                throw Error(test.id + ": has no case to be tried on; are its reference files "
-                                      "there?");
+                throw Error(test.id +
+                            ": has no case to be tried on; are its reference files "
+                            "there?");
             }
         }
     }

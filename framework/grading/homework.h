@@ -26,8 +26,10 @@ struct Finding {
     std::string what{};   ///< "37 of 4096 pixels have the wrong id, all within 1 px of an edge"
     std::string first{};  ///< the first thing that is wrong: "(41,17) expected 3, got 0"
     std::string pixel{};  ///< "41,17" when the first thing is a pixel, for the replay command
-    /// Which elements (pixels, triangles) are wrong, rising: the failure's signature.
-    std::vector<std::uint32_t> wrong{};
+    std::vector<std::uint32_t> wrong{};  ///< elements (pixels, triangles), rising
+    /// A number for each wrong element, made of which it is and how it is wrong. Like mistakes have
+    /// like signatures.
+    std::vector<std::uint32_t> signature{};
     std::vector<NamedPicture> pictures{};
 };
 
@@ -64,9 +66,9 @@ struct Other {
 };
 
 struct Homework {
-    std::string topic;     ///< "vista"
-    std::string readme;    ///< whose anchors #t1… are the tasks
-    std::any yours;        ///< what is checked
+    std::string topic;   ///< "vista"
+    std::string readme;  ///< whose anchors #t1… are the tasks
+    std::any yours;      ///< what is checked
     std::vector<Task> tasks;
     std::vector<Other> mutants;   ///< known mistakes: every one must fail, on two cases or more
     std::vector<Other> variants;  ///< honest solutions: every one must have all points

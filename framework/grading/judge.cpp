@@ -1,5 +1,6 @@
 #include "framework/grading/judge.h"
 
+#include "framework/base/text.h"
 #include "framework/grading/child.h"
 #include "framework/grading/message.h"
 #include "framework/image/io.h"
@@ -34,10 +35,26 @@ CaseResult tried(const Case& each, const std::any& steps, const std::filesystem:
     return result;
 }
 
-CaseResult judged(const Case& each, const std::any& steps, const std::filesystem::path& folder,
-                  double limit_s) {
+/// Between the texts of two cases; JSON holds no such byte.
+constexpr char separator = '\x1e';
+
+/// In the child: the cases first ≤ i < last, the pictures of the first failure only.
+std::string tried(const Test& test, std::size_t first, std::size_t last, const std::any& steps,
+                  std::filesystem::path folder) {
+    std::string texts;
+    for (std::size_t i = first; i < last; ++i) {
+        const CaseResult result = tried(test.cases[i], steps, folder);
+        if (result.status != Status::pass) folder.clear();
+        texts += text_of(result);
+        texts += separator;
+    }
+    return texts;
+}
+
+CaseResult judged_alone(const Test& test, std::size_t index, const std::any& steps,
+                        const std::filesystem::path& folder, double limit_s) {
     const ChildEnd end =
-        run_in_child([&] { return text_of(tried(each, steps, folder)); }, limit_s);
+        run_in_child([&] { return tried(test, index, index + 1, steps, folder); }, limit_s);
     if (end.how == ChildEnd::How::timed_out) {
         return {Status::timed_out,
                 failure(fmt::format("not done after {:g} s: an endless loop?", limit_s)),
@@ -46,7 +63,42 @@ CaseResult judged(const Case& each, const std::any& steps, const std::filesystem
     if (end.how == ChildEnd::How::crashed) {
         return {Status::crashed, failure("crashed: " + end.text), {}};
     }
-    return result_of(end.text);
+    return result_of(end.text.substr(0, end.text.find(separator)));
+}
+
+/// Each case in a process of its own.
+std::vector<CaseResult> judged_one_by_one(const Test& test, const std::any& steps,
+                                          const std::filesystem::path& folder, double limit_s) {
+    std::vector<CaseResult> results;
+    bool pictured = false, over = false;
+    for (std::size_t i = 0; i < test.cases.size(); ++i) {
+        if (over) {
+            // A second wait would tell nothing new.
+            results.push_back({Status::timed_out, failure("not tried"), {}});
+            continue;
+        }
+        results.push_back(judged_alone(test, i, steps, pictured ? "" : folder, limit_s));
+        pictured = pictured || results.back().status != Status::pass;
+        over = results.back().status == Status::timed_out;
+    }
+    return results;
+}
+
+/// All in one process, as starting one takes longer than most cases; one by one when it does not
+/// come to its end.
+std::vector<CaseResult> judged(const Test& test, const std::any& steps,
+                               const JudgeOptions& options) {
+    const auto folder =
+        options.pictures.empty() ? std::filesystem::path() : options.pictures / test.id;
+    const ChildEnd end = run_in_child(
+        [&] { return tried(test, 0, test.cases.size(), steps, folder); }, options.limit_s);
+    const std::vector<std::string> texts = split(end.text, separator);
+    if (end.how != ChildEnd::How::finished || texts.size() != test.cases.size() + 1) {
+        return judged_one_by_one(test, steps, folder, options.limit_s);
+    }
+    std::vector<CaseResult> results;
+    for (std::size_t i = 0; i < test.cases.size(); ++i) results.push_back(result_of(texts[i]));
+    return results;
 }
 
 /// How alike two signatures of one case are: elements in both, elements in either.
@@ -54,18 +106,18 @@ struct Likeness {
     std::size_t both = 0, either = 0;
     void add(const CaseResult& a, const CaseResult& b) {
         if (a.status == Status::pass && b.status == Status::pass) return;
-        if (a.finding.wrong.empty() && b.finding.wrong.empty()) {
+        if (a.finding.signature.empty() && b.finding.signature.empty()) {
             // Nothing to count, but the same sort of end counts as one thing.
             both += a.status == b.status && a.finding.what == b.finding.what ? 1 : 0;
             ++either;
             return;
         }
         std::vector<std::uint32_t> shared;
-        std::set_intersection(a.finding.wrong.begin(), a.finding.wrong.end(),
-                              b.finding.wrong.begin(), b.finding.wrong.end(),
+        std::set_intersection(a.finding.signature.begin(), a.finding.signature.end(),
+                              b.finding.signature.begin(), b.finding.signature.end(),
                               std::back_inserter(shared));
         both += shared.size();
-        either += a.finding.wrong.size() + b.finding.wrong.size() - shared.size();
+        either += a.finding.signature.size() + b.finding.signature.size() - shared.size();
     }
     [[nodiscard]] double index() const {
         return either == 0 ? 0 : static_cast<double>(both) / static_cast<double>(either);
@@ -87,9 +139,9 @@ std::size_t TestResult::first_failure() const {
 }
 
 std::size_t TestResult::failures() const {
-    return static_cast<std::size_t>(std::count_if(
-        cases.begin(), cases.end(),
-        [](const CaseResult& each) { return each.status != Status::pass; }));
+    return static_cast<std::size_t>(
+        std::count_if(cases.begin(), cases.end(),
+                      [](const CaseResult& each) { return each.status != Status::pass; }));
 }
 
 Status TestResult::status() const {
@@ -100,20 +152,8 @@ Status TestResult::status() const {
 TestResult judge(const Test& test, const std::any& steps, const JudgeOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     TestResult result{.id = test.id, .max_points = test.points};
-    for (const Case& each : test.cases) {
-        // Pictures are made of the first failure, which is the one that is shown.
-        const bool pictured = !options.pictures.empty() && result.failures() == 0;
-        const auto folder = pictured ? options.pictures / test.id : std::filesystem::path();
-        result.case_names.push_back(each.name);
-        result.cases.push_back(judged(each, steps, folder, options.limit_s));
-        // A second wait would tell nothing new.
-        if (result.cases.back().status != Status::timed_out) continue;
-        while (result.cases.size() < test.cases.size()) {
-            result.case_names.push_back(test.cases[result.cases.size()].name);
-            result.cases.push_back({Status::timed_out, failure("not tried"), {}});
-        }
-        break;
-    }
+    for (const Case& each : test.cases) result.case_names.push_back(each.name);
+    result.cases = judged(test, steps, options);
     const double passed = static_cast<double>(result.cases.size() - result.failures());
     result.points = test.points * passed / static_cast<double>(result.cases.size());
     result.seconds =
@@ -121,26 +161,14 @@ TestResult judge(const Test& test, const std::any& steps, const JudgeOptions& op
     return result;
 }
 
-const Other* likely_mutant(std::span<const std::pair<const Test*, const TestResult*>> failed,
-                           std::span<const Other> mutants, const std::string& task,
-                           const JudgeOptions& options) {
-    const JudgeOptions quiet{options.limit_s, {}};
-    const Other* best = nullptr;
-    double most = 0.5;
-    for (const Other& mutant : mutants) {
-        if (mutant.task != task) continue;
-        Likeness likeness;
-        for (const auto& [test, result] : failed) {
-            const TestResult theirs = judge(*test, mutant.steps, quiet);
-            for (std::size_t i = 0; i < theirs.cases.size(); ++i) {
-                likeness.add(result->cases[i], theirs.cases[i]);
-            }
+double likeness(std::span<const TestResult> some, std::span<const TestResult> others) {
+    Likeness sum;
+    for (std::size_t test = 0; test < some.size(); ++test) {
+        for (std::size_t i = 0; i < some[test].cases.size(); ++i) {
+            sum.add(some[test].cases[i], others[test].cases[i]);
         }
-        if (likeness.index() < most) continue;
-        best = &mutant;
-        most = likeness.index();
     }
-    return best;
+    return sum.index();
 }
 
 }  // namespace luch::grading

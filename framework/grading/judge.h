@@ -34,18 +34,19 @@ struct TestResult {
 };
 
 struct JudgeOptions {
-    double limit_s = 10;            ///< for one case
-    std::filesystem::path pictures; ///< folder for pictures of failures; empty: none
+    double limit_s = 10;             ///< for one case
+    std::filesystem::path pictures;  ///< folder for pictures of failures; empty: none
 };
 
-/// Runs a test on a table of steps, each case in a process of its own.
+/// Runs a test on a table of steps in another process. Where that does not come to its end, each
+/// case gets one of its own, so that a crash or a loop takes no points from the others.
 TestResult judge(const Test& test, const std::any& steps, const JudgeOptions& options);
 
-/// The mistake whose failures look most like these: of those for which the same elements are wrong
-/// in the same cases (the Jaccard index of the two sets is at least ½), the most similar. Null when
-/// none is. `failed` are tests of one task with what came of them.
-const Other* likely_mutant(std::span<const std::pair<const Test*, const TestResult*>> failed,
-                           std::span<const Other> mutants, const std::string& task,
-                           const JudgeOptions& options);
+/// How alike the failures of the same tests are, 0..1: of the wrong elements in either, how many
+/// are wrong in both, in the same way (the Jaccard index of the signatures).
+double likeness(std::span<const TestResult> some, std::span<const TestResult> others);
+
+/// From this on, failures are said to have the same cause.
+inline constexpr double alike = 0.5;
 
 }  // namespace luch::grading

@@ -8,39 +8,50 @@
 namespace luch::grading {
 namespace {
 
-Matrix::Row row_of(const Homework& homework, const Other& other, const std::string& only_task,
-                   const JudgeOptions& judge_options) {
-    Matrix::Row row{.other = &other};
-    std::set<std::string> scenes;
+/// What came of the tests of the task that it changes; of all where it says none.
+struct Tried {
     std::vector<TestResult> results;
-    std::vector<const Test*> tests;
+    Matrix::Row row;
+};
+
+void note(Tried& tried, const TestResult& result, std::set<std::string>& scenes) {
+    tried.row.failures.back() = result.failures();
+    for (std::size_t i = 0; i < result.cases.size(); ++i) {
+        if (result.cases[i].status == Status::pass) continue;
+        scenes.insert(result.case_names[i]);
+        if (!tried.row.first.empty()) continue;
+        tried.row.first = fmt::format("{} on {}: {}", result.id, result.case_names[i],
+                                      result.cases[i].finding.what);
+    }
+}
+
+Tried tried(const Homework& homework, const Other& other, const JudgeOptions& judge_options) {
+    Tried tried{{}, {.other = &other}};
+    std::set<std::string> scenes;
     for (const Task& task : homework.tasks) {
         for (const Test& test : task.tests) {
-            row.failures.push_back(0);
-            if (!only_task.empty() && task.id != only_task) continue;
-            results.push_back(judge(test, other.steps, judge_options));
-            tests.push_back(&test);
-            row.failures.back() = results.back().failures();
-            for (std::size_t i = 0; i < results.back().cases.size(); ++i) {
-                const CaseResult& each = results.back().cases[i];
-                if (each.status == Status::pass) continue;
-                scenes.insert(results.back().case_names[i]);
-                if (row.first.empty()) {
-                    row.first = fmt::format("{} on {}: {}", test.id, results.back().case_names[i],
-                                            each.finding.what);
-                }
-            }
+            tried.row.failures.push_back(0);
+            if (!other.task.empty() && task.id != other.task) continue;
+            tried.results.push_back(judge(test, other.steps, judge_options));
+            note(tried, tried.results.back(), scenes);
         }
     }
-    row.cases_named = scenes.size();
-    std::vector<std::pair<const Test*, const TestResult*>> failed;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-        if (results[i].status() != Status::pass) failed.emplace_back(tests[i], &results[i]);
+    tried.row.cases_named = scenes.size();
+    return tried;
+}
+
+/// Whose failures these are the most like; of equals the first.
+std::string nearest(const Tried& one, const std::vector<Tried>& all) {
+    std::string name;
+    double most = 0;
+    for (const Tried& each : all) {
+        if (each.row.other->task != one.row.other->task) continue;
+        const double like = likeness(one.results, each.results);
+        if (like < alike || like <= most) continue;
+        most = like;
+        name = each.row.other->name;
     }
-    if (failed.empty() || only_task.empty()) return row;
-    const Other* likely = likely_mutant(failed, homework.mutants, only_task, judge_options);
-    if (likely != nullptr) row.likely = likely->name;
-    return row;
+    return name;
 }
 
 std::vector<std::string> test_names(const Homework& homework) {
@@ -58,9 +69,12 @@ bool killed(const Matrix::Row& row) {
 }  // namespace
 
 Matrix kill_matrix(const Homework& homework, const JudgeOptions& judge) {
+    std::vector<Tried> all;
+    for (const Other& mutant : homework.mutants) all.push_back(tried(homework, mutant, judge));
     Matrix matrix{test_names(homework), {}};
-    for (const Other& mutant : homework.mutants) {
-        matrix.rows.push_back(row_of(homework, mutant, mutant.task, judge));
+    for (Tried& each : all) {
+        each.row.likely = nearest(each, all);
+        matrix.rows.push_back(each.row);
     }
     return matrix;
 }
@@ -68,7 +82,7 @@ Matrix kill_matrix(const Homework& homework, const JudgeOptions& judge) {
 Matrix variant_matrix(const Homework& homework, const JudgeOptions& judge) {
     Matrix matrix{test_names(homework), {}};
     for (const Other& variant : homework.variants) {
-        matrix.rows.push_back(row_of(homework, variant, "", judge));
+        matrix.rows.push_back(tried(homework, variant, judge).row);
     }
     return matrix;
 }

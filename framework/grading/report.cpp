@@ -22,11 +22,16 @@ std::string braced(const std::vector<std::string>& files) {
 
 std::string_view verdict_word(Status status) {
     switch (status) {
-        case Status::pass: return "PASS";
-        case Status::not_written: return "NOT ATTEMPTED";
-        case Status::crashed: return "CRASH";
-        case Status::timed_out: return "TIMEOUT";
-        case Status::fail: break;
+        case Status::pass:
+            return "PASS";
+        case Status::not_written:
+            return "NOT ATTEMPTED";
+        case Status::crashed:
+            return "CRASH";
+        case Status::timed_out:
+            return "TIMEOUT";
+        case Status::fail:
+            break;
     }
     return "FAIL";
 }
@@ -42,8 +47,8 @@ std::string failure_text(const Report& report, const Report::Task& task, std::si
     std::string text = fmt::format("  {}\n", shown.finding.what);
     if (!shown.finding.first.empty()) text += fmt::format("  first: {}\n", shown.finding.first);
     if (!task.likely.empty()) {
-        text += fmt::format("  likely: {} — {}{}\n", task.likely, report.readme,
-                            anchor_of(task.id));
+        text +=
+            fmt::format("  likely: {} — {}{}\n", task.likely, report.readme, anchor_of(task.id));
     }
     if (!shown.pictures.empty()) text += fmt::format("  images: {}\n", braced(shown.pictures));
     text += fmt::format("  replay: {}\n", replay_command(report, task, index));

@@ -11,7 +11,7 @@ namespace luch::grading {
 struct Report {
     std::string topic, readme;
     std::optional<std::uint64_t> seed{};  ///< of the hidden cases, if they were added
-    bool complete = false;              ///< whether all tests were run
+    bool complete = false;                ///< whether all tests were run
     struct Task {
         std::string id, title;
         double max_points = 0;
