@@ -62,6 +62,20 @@ bool read_until(int in, std::chrono::steady_clock::time_point deadline, std::str
     }
 }
 
+/// Waits for the end of a child that has closed its pipe; one that lives on is stopped.
+int end_of(pid_t child) {
+    constexpr int patience = 100;
+    int status = 0;
+    for (int i = 0; i < patience; ++i) {
+        if (waitpid(child, &status, WNOHANG) != 0) return status;
+        usleep(2000);
+    }
+    kill(child, SIGKILL);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
 std::string said(int status) {
     if (WIFSIGNALED(status)) return strsignal(WTERMSIG(status));
     return "it ended the program with status " + std::to_string(WEXITSTATUS(status));
@@ -91,11 +105,8 @@ ChildEnd run_in_child(const std::function<std::string()>& work, double limit_s) 
     ChildEnd end;
     const bool in_time = read_until(ends[0], std::chrono::steady_clock::now() + limit, end.text);
     close(ends[0]);
-    // Also when the pipe was closed by hand: such a child might never end.
-    if (!in_time || !end.text.ends_with(mark)) kill(child, in_time ? SIGTERM : SIGKILL);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
+    if (!in_time) kill(child, SIGKILL);
+    const int status = end_of(child);
     if (!in_time) return {ChildEnd::How::timed_out, ""};
     if (!end.text.ends_with(mark)) return {ChildEnd::How::crashed, said(status)};
     end.text.resize(end.text.size() - mark.size());

@@ -52,9 +52,23 @@ Finding depths(const Steps& steps, const Sample& sample) {
                                 sample.nearest_ids.view());
 }
 
+/// A painter does not ask for depths: with the near made far it is still the last that is seen.
 Finding painted_over(const Steps& steps, const Sample& sample) {
+    const Size size = sample.screen().size();
+    std::vector<ScreenTri> turned = sample.on_screen;
+    double most = 0;
+    for (const ScreenTri& triangle : turned) {
+        for (const double inverse : triangle.inverse_depth) most = std::max(most, inverse);
+    }
+    for (ScreenTri& triangle : turned) {
+        for (double& inverse : triangle.inverse_depth) inverse = 2 * most - inverse;
+    }
     const Painted yours = painted(steps, sample, Hidden::painter);
-    return grading::same_ids(yours.ids.view(), sample.painter_ids.view());
+    const Painted other = painted(steps, turned, size, Hidden::painter, size);
+    return grading::first_failure_of(
+        {grading::same_ids(yours.ids.view(), sample.painter_ids.view()),
+         grading::same_ids(other.ids.view(), sample.painter_ids.view(),
+                           "id, depths turned round,")});
 }
 
 /// One tile leaves the others alone, and all together make the picture that one large tile makes.
