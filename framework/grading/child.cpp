@@ -28,6 +28,8 @@ constexpr std::string_view mark = "\n.end\n";
     const rlimit none{0, 0};
     setrlimit(RLIMIT_CORE, &none);
     dup2(STDERR_FILENO, STDOUT_FILENO);
+    // exit() would wait for threads of the parent's, which are not here.
+    std::atexit([] { std::_Exit(EXIT_FAILURE); });
     std::string text;
     try {
         text = work();
