@@ -34,7 +34,7 @@ struct TestResult {
 };
 
 struct JudgeOptions {
-    double limit_s = 10;             ///< for one case
+    double limit_s = 5;              ///< for a test, and again for each case by itself
     std::filesystem::path pictures;  ///< folder for pictures of failures; empty: none
 };
 
