@@ -114,6 +114,7 @@ Session::Session(const std::string& scene_file, const SceneOptions& options)
         std::fprintf(stderr, "luch: warning: %s\n", warning.c_str());
     }
     scene_ = std::make_unique<Scene>(std::move(loaded.scene));
+    files_ = std::move(loaded.files);
     load_ms_ = ms_since(loading);
     const auto building = std::chrono::steady_clock::now();
     accelerator_ = build_accelerator(*scene_, parsed_isa(""), backend,

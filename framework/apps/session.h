@@ -3,6 +3,7 @@
 #include "framework/apps/arguments.h"
 #include "framework/technique/run.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,6 +37,8 @@ class Session {
     [[nodiscard]] const Shot& shot() const { return shot_; }
     [[nodiscard]] Studio studio() const { return {*scene_, *accelerator_, workers_}; }
     [[nodiscard]] const Budget& budget() const { return budget_; }
+    /// Whose bytes the scene is made of; see Loaded::files.
+    [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
     [[nodiscard]] double load_ms() const { return load_ms_; }
     [[nodiscard]] double build_ms() const { return build_ms_; }
 
@@ -45,6 +48,7 @@ class Session {
     Workers workers_;
     Shot shot_;
     Budget budget_;
+    std::vector<std::filesystem::path> files_;
     double load_ms_ = 0, build_ms_ = 0;
 };
 

@@ -17,6 +17,7 @@ Json Json::object() {
 Json Json::array() {
     return Json(std::make_unique<Value>(Value{nlohmann::ordered_json::array()}));
 }
+Json::Json() : value_(std::make_unique<Value>()) {}
 Json::Json(bool value) : value_(std::make_unique<Value>(Value{value})) {}
 Json::Json(int value) : value_(std::make_unique<Value>(Value{value})) {}
 Json::Json(std::int64_t value) : value_(std::make_unique<Value>(Value{value})) {}

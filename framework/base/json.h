@@ -15,6 +15,7 @@ class Json {
  public:
     static Json object();
     static Json array();
+    Json();  ///< null
     Json(bool value);
     Json(int value);
     Json(std::int64_t value);

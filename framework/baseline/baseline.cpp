@@ -23,13 +23,18 @@ class Baseline final : public Technique {
     }
 };
 
+/// Samples that are spread evenly over a pixel with edges in it: the variance falls with N^−3/2,
+/// not with 1/N (Mitchell, "Consequences of Stratified Sampling in Graphics", 1996).
+constexpr double spread_slope = -0.75;
+
 }  // namespace
 
 TechniqueInfo describe() {
     return {.name = "baseline",
             .title = "the classic ray tracer",
             .topic = "1. classic ray tracing",
-            .create = []() -> std::unique_ptr<Technique> { return std::make_unique<Baseline>(); }};
+            .create = []() -> std::unique_ptr<Technique> { return std::make_unique<Baseline>(); },
+            .sweep = {samples_parameter, samples_sweep, spread_slope}};
 }
 
 }  // namespace luch::baseline

@@ -162,7 +162,7 @@ TechniqueInfo describe() {
             .title = "path tracing, the ground truth of gi",
             .topic = "1. classic ray tracing",
             .create = []() -> std::unique_ptr<Technique> { return std::make_unique<Path>(); },
-            .sweep = {},
+            .sweep = {samples_parameter, samples_sweep, -0.5},
             .approximates = false};
 }
 

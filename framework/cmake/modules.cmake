@@ -84,3 +84,24 @@ function(generate_catalogue)
               ${CMAKE_SOURCE_DIR}/framework/technique/catalogue.cpp)
   target_link_libraries(luch_catalogue PUBLIC luch_technique PRIVATE ${libraries})
 endfunction()
+
+# luch_embed(target header NAME=path…): text files built into a target. The header declares, in
+# luch::embedded, a function std::string_view NAME() for each.
+function(luch_embed target header)
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/${target}_embedded.cpp)
+  set(files "")
+  set(paths "")
+  foreach(file IN LISTS ARGN)
+    string(REGEX MATCH "^([a-z_]+)=(.*)$" ignored ${file})
+    list(APPEND paths ${CMAKE_CURRENT_SOURCE_DIR}/${CMAKE_MATCH_2})
+    list(APPEND files ${CMAKE_MATCH_1}=${CMAKE_CURRENT_SOURCE_DIR}/${CMAKE_MATCH_2})
+  endforeach()
+  list(JOIN files "," files)
+  set(script ${CMAKE_SOURCE_DIR}/framework/cmake/embed.cmake)
+  add_custom_command(
+    OUTPUT ${out}
+    COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DHEADER=${header} "-DFILES=${files}" -P ${script}
+    DEPENDS ${script} ${paths}
+    VERBATIM)
+  target_sources(${target} PRIVATE ${out})
+endfunction()

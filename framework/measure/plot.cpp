@@ -18,10 +18,6 @@ constexpr double top = 52, bottom = 400;       // of the values above 0
 constexpr double floor_y = 432, axis_y = 456;  // the row for 0, and the x axis
 constexpr double legend_y = 540, legend_step = 26;
 
-struct Ink {
-    const char* light;
-    const char* dark;
-};
 // Told apart by people with any of the usual colour blindnesses (Okabe & Ito, 2008), darkened or
 // lightened for the background; the marker's shape says it again.
 constexpr std::array<Ink, 6> inks{Ink{"#0067a8", "#5cb8f0"}, Ink{"#c24e00", "#ff9a52"},
@@ -172,6 +168,9 @@ void Drawing::markers(const PlotSeries& series, std::size_t index) {
         const double x = x_.at(point.x), y = y_of(point.y);
         put(R"(<g class="point"><title>{}</title>)", escaped(point.detail));
         marker(index, x, y, series.dashed ? "hollow" : "solid");
+        if (point.ringed) {
+            put(R"(<circle class="ring" cx="{:.1f}" cy="{:.1f}" r="13"/>)", x, y);
+        }
         if (point.flagged) {
             put(R"(<path class="flag" d="M{0:.1f} {1:.1f}l22 22m0 -22l-22 22"/>)", x - 11, y - 11);
         }
@@ -245,11 +244,12 @@ std::string Drawing::style() const {
 .lp .baseline{stroke:#57606a;stroke-width:2;stroke-dasharray:2 4;stroke-linecap:round}
 .lp .curve{fill:none;stroke-width:2.5}.lp .dashed{stroke-dasharray:8 6}
 .lp .hollow{fill:#fff;stroke-width:2.5}.lp .flag{stroke:#d1001f;stroke-width:3;fill:none}
+.lp .ring{fill:none;stroke:#22272e;stroke-width:1.5}
 )" + light +
            R"(
 @media (prefers-color-scheme:dark){.lp .paper,.lp .hollow{fill:#1b1f24}.lp .floor{fill:#262c33}
 .lp text{fill:#e6eaef}.lp .note,.lp .label{stroke:#1b1f24}.lp .tick,.lp .hint{fill:#a9b3be}.lp .grid{stroke:#2c333b}
-.lp .grid.decade{stroke:#444d57}.lp .baseline{stroke:#a9b3be}.lp .flag{stroke:#ff6473}
+.lp .grid.decade{stroke:#444d57}.lp .baseline{stroke:#a9b3be}.lp .flag{stroke:#ff6473}.lp .ring{stroke:#e6eaef}
 )" + dark + "}\n</style>\n";
 }
 
@@ -274,6 +274,10 @@ std::string Drawing::text() {
 }
 
 }  // namespace
+
+std::span<const Ink> plot_inks() {
+    return inks;
+}
 
 std::string svg_of(const LogPlot& plot) {
     return Drawing(plot).text();

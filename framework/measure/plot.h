@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ struct PlotPoint {
     std::string label;     ///< beside the point, where there is room
     std::string detail;    ///< shown when the pointer rests on it
     bool flagged = false;  ///< drawn crossed out: the value is not to be trusted
+    bool ringed = false;   ///< drawn with a ring around it: none beats it
 };
 
 struct PlotSeries {
@@ -33,6 +35,14 @@ struct LogPlot {
     std::vector<PlotSeries> series;
     std::optional<PlotLine> vertical;
 };
+
+/// A series' colour on a light and on a dark ground, "#0067a8".
+struct Ink {
+    const char* light;
+    const char* dark;
+};
+/// The colours of series 0, 1…; after the last the first comes again.
+std::span<const Ink> plot_inks();
 
 /// The plot as one SVG element, for a file of its own or inside a page; follows the light or dark
 /// scheme of whoever shows it. A point whose x or y is NaN, infinite or negative is left out.

@@ -70,7 +70,21 @@ const LabPoint* LabSeries::worst() const {
 }
 
 double SceneReport::speedup(const LabPoint& point) const {
-    return baseline.frame_ms / point.frame_ms;
+    return (point.beside_ms > 0 ? point.beside_ms : baseline.frame_ms) / point.frame_ms;
+}
+
+const LabTruth* SceneReport::truth(std::string_view name) const {
+    for (const LabTruth& truth : truths) {
+        if (truth.name == name) return &truth;
+    }
+    return nullptr;
+}
+
+Yardstick usual_yardstick() {
+    for (const Metric& metric : metrics()) {
+        if (metric.name == "flip") return {&metric};
+    }
+    return {&find_metric("rmse")};
 }
 
 std::string_view name_of(RayKind kind) {

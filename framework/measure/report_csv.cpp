@@ -33,13 +33,17 @@ std::string joined(const std::vector<std::string>& cells) {
 }
 
 std::vector<std::string> header() {
-    std::vector<std::string> names{"scene",  "width",   "height", "technique",  "parameter",
-                                   "value",  "not_run", "truth",  "prepare_ms", "frame_ms",
-                                   "frames", "speedup", "rays"};
+    std::vector<std::string> names{"scene",  "width",   "height",  "technique",  "parameter",
+                                   "value",  "not_run", "truth",   "prepare_ms", "frame_ms",
+                                   "cpu_ms", "frames",  "speedup", "rays"};
     for (const std::string_view kind : ray_kind_names) names.push_back("rays_" + std::string(kind));
     names.insert(names.end(), {"object_tests", "shades", "fallbacks", "cells", "bytes"});
     for (const Metric& metric : metrics()) names.emplace_back(metric.name);
-    names.insert(names.end(), {"differing_pixels", "non_finite_pixels", "identical"});
+    names.insert(names.end(),
+                 {"differing_pixels", "non_finite_pixels", "identical", "linear_rmse"});
+    for (const Metric& metric : metrics()) {
+        names.push_back("converged_" + std::string(metric.name));
+    }
     return names;
 }
 
@@ -58,17 +62,21 @@ std::vector<std::string> row(const SceneReport& scene, const LabSeries& series,
         return cells;
     }
     cells.insert(cells.end(),
-                 {number(point.prepare_ms), number(point.frame_ms), std::to_string(point.frames),
-                  number(scene.speedup(point)), std::to_string(point.counts.all_rays())});
+                 {number(point.prepare_ms), number(point.frame_ms), number(point.cpu_ms),
+                  std::to_string(point.frames), number(scene.speedup(point)),
+                  std::to_string(point.counts.all_rays())});
     for (const std::uint64_t rays : point.counts.rays) cells.push_back(std::to_string(rays));
     for (const std::uint64_t count : {point.counts.object_tests, point.counts.shades,
                                       point.counts.fallbacks, point.counts.cells, point.bytes}) {
         cells.push_back(std::to_string(count));
     }
     for (const Metric& metric : metrics()) cells.push_back(number(point.errors.*metric.value));
-    cells.insert(cells.end(),
-                 {std::to_string(point.errors.differing),
-                  std::to_string(point.errors.non_finite.count), point.identical ? "1" : "0"});
+    cells.insert(cells.end(), {std::to_string(point.errors.differing),
+                               std::to_string(point.errors.non_finite.count),
+                               point.identical ? "1" : "0", number(point.linear_rmse)});
+    for (const Metric& metric : metrics()) {
+        cells.push_back(point.converged ? number((*point.converged).*metric.value) : "");
+    }
     return cells;
 }
 

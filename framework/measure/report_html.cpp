@@ -53,7 +53,7 @@ std::string glance(const LabReport& report) {
     return html + "</table></div></section>\n";
 }
 
-std::string section(const SceneReport& scene, std::size_t number) {
+std::string section(const SceneReport& scene, std::size_t number, const Yardstick& yardstick) {
     const std::string id = fmt::format("scene-{}", number);
     std::string html = fmt::format(
         "<section id=\"{}\">\n<h2>{}<small>{} × {} pixels, {}, {}, {}</small></h2>\n<ul "
@@ -64,8 +64,8 @@ std::string section(const SceneReport& scene, std::size_t number) {
         html += "<li>" + escaped(sentence) + "</li>\n";
     }
     return html + "</ul>\n<figure class=\"plot\">" + report_svg(scene) + "</figure>\n" +
-           html_results(scene) + html_costs(scene) + html_pictures(scene, id) +
-           html_left_out(scene) + "</section>\n";
+           html_findings(scene, yardstick) + html_results(scene) + html_costs(scene) +
+           html_pictures(scene, id) + html_left_out(scene) + "</section>\n";
 }
 
 std::string facts(const LabReport& report) {
@@ -85,7 +85,11 @@ std::string facts(const LabReport& report) {
            "same "
            "on every machine. The dotted line of a plot is the baseline at one sample a pixel; a "
            "dashed curve has a truth of its own, named in its legend, and is not to be compared in "
-           "error with the solid ones.</p></section>\n";
+           "error with the solid ones; where the plot lets one choose, all curves shown are "
+           "against "
+           "the truth that is chosen. “× faster” compares with frames of the baseline that were "
+           "made "
+           "between the technique’s own.</p></section>\n";
 }
 
 }  // namespace
@@ -101,9 +105,9 @@ std::string report_html(const LabReport& report) {
         "<main>\n";
     html += glance(report);
     for (std::size_t i = 0; i < report.scenes.size(); ++i) {
-        html += section(report.scenes[i], i + 1);
+        html += section(report.scenes[i], i + 1, report.yardstick);
     }
-    return html + facts(report) + "</main>\n</body>\n</html>\n";
+    return html + facts(report) + "</main>\n" + html_scripts(report) + "</body>\n</html>\n";
 }
 
 }  // namespace luch

@@ -1,5 +1,7 @@
 #include "framework/measure/report_json.h"
 
+#include "framework/measure/findings.h"
+
 #include <cmath>
 
 namespace luch {
@@ -28,6 +30,8 @@ Json point_json(const SceneReport& scene, const LabSeries& series, const LabPoin
     if (!point.ran()) return json.set("not_run", point.not_run);
     return json.set("prepare_ms", point.prepare_ms)
         .set("frame_ms", point.frame_ms)
+        .set("cpu_ms", point.cpu_ms)
+        .set("baseline_beside_ms", point.beside_ms)
         .set("frames", point.frames)
         .set("speedup", scene.speedup(point))
         .set("rays", rays_json(point.counts))
@@ -39,21 +43,108 @@ Json point_json(const SceneReport& scene, const LabSeries& series, const LabPoin
         .set("bytes", point.bytes)
         .set("identical", point.identical)
         .set("errors", errors_json(point.errors))
+        .set("linear_rmse", point.linear_rmse)
+        .set("errors_to_converged", point.converged ? errors_json(*point.converged) : Json())
         .set("left_out", left_out_json(point.plan))
         .set("unwritten", texts_json(point.unwritten));
 }
 
-Json scene_json(const SceneReport& scene) {
-    Json all = Json::array();
-    for (const LabSeries& series : scene.series) {
-        Json points = Json::array();
-        for (const LabPoint& point : series.points) points.push(point_json(scene, series, point));
-        all.push(Json::object()
-                     .set("technique", series.technique)
-                     .set("title", series.title)
-                     .set("parameter", series.parameter)
-                     .set("truth", series.truth)
-                     .set("points", std::move(points)));
+Json slope_json(const std::optional<SlopeFinding>& slope) {
+    if (!slope) return {};
+    return Json::object()
+        .set("fitted", slope->fit.slope)
+        .set("confidence_95", slope->fit.half_width)
+        .set("expected", slope->expected)
+        .set("points", slope->fit.points)
+        .set("differs", slope->differs());
+}
+
+Json passes_json(const LabPasses& passes) {
+    Json array = Json::array();
+    for (std::size_t i = 0; i < passes.count.size(); ++i) {
+        array.push(Json::object()
+                       .set("frames", passes.count[i])
+                       .set("linear_rmse", passes.linear_rmse[i]));
+    }
+    return array;
+}
+
+Json optional_json(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json series_json(const SceneReport& scene, const LabSeries& series) {
+    Json points = Json::array();
+    for (const LabPoint& point : series.points) points.push(point_json(scene, series, point));
+    Json json = Json::object()
+                    .set("technique", series.technique)
+                    .set("title", series.title)
+                    .set("parameter", series.parameter)
+                    .set("truth", series.truth)
+                    .set("points", std::move(points))
+                    .set("slope", slope_json(slope_of(series)))
+                    .set("floor_rmse", optional_json(floor_of(series)));
+    if (const auto best = efficiency_of(series)) json.set("efficiency", best->value);
+    if (!series.passes.count.empty()) {
+        json.set("independent_frames", passes_json(series.passes));
+        json.set("independent_slope", slope_json(passes_slope(series)));
+    }
+    if (!series.left_out) return json;
+    return json.set("left_out_cost", Json::object()
+                                         .set("setting", series.left_out->setting)
+                                         .set("planned_ms", series.left_out->planned_ms)
+                                         .set("no_skip_ms", series.left_out->forced_ms));
+}
+
+Json truth_json(const LabTruth& truth) {
+    Json json = Json::object().set("name", truth.name).set("exact", truth.exact);
+    if (truth.exact) return json;
+    return json.set("samples", truth.samples)
+        .set("standard_error", truth.standard_error)
+        .set("from_cache", truth.from_cache);
+}
+
+Json reached_json(const std::vector<Reached>& all, std::string_view what) {
+    Json array = Json::array();
+    for (const Reached& one : all) {
+        array.push(Json::object().set("technique", one.technique).set(what, one.value));
+    }
+    return array;
+}
+
+Json plane_json(const SceneReport& scene, const ErrorPlane& plane, const Yardstick& yardstick) {
+    Json pareto = Json::array(), times = Json::array();
+    for (const PlanePoint& point : plane.points) {
+        if (!point.pareto) continue;
+        const bool own = point.series == nullptr;
+        pareto.push(Json::object()
+                        .set("technique", own ? "baseline" : point.series->technique)
+                        .set("setting", own ? "" : point.series->setting(*point.point))
+                        .set("frame_ms", point.at.time)
+                        .set("error", point.at.error));
+    }
+    for (const EqualTime& row : at_equal_time(plane, scene.baseline.frame_ms)) {
+        times.push(
+            Json::object().set("ms", row.ms).set("errors", reached_json(row.errors, "error")));
+    }
+    const EqualError equal = at_equal_error(plane, yardstick.good_enough);
+    return Json::object()
+        .set("truth", plane.truth)
+        .set("metric", yardstick.metric->name)
+        .set("pareto", std::move(pareto))
+        .set("at_equal_time", std::move(times))
+        .set("at_equal_error", Json::object()
+                                   .set("error", yardstick.good_enough)
+                                   .set("times", reached_json(equal.ms, "ms"))
+                                   .set("not_reached", texts_json(equal.not_reached)));
+}
+
+Json scene_json(const SceneReport& scene, const Yardstick& yardstick) {
+    Json all = Json::array(), truths = Json::array(), planes = Json::array();
+    for (const LabSeries& series : scene.series) all.push(series_json(scene, series));
+    for (const LabTruth& truth : scene.truths) truths.push(truth_json(truth));
+    for (const ErrorPlane& plane : planes_of(scene, *yardstick.metric)) {
+        planes.push(plane_json(scene, plane, yardstick));
     }
     return Json::object()
         .set("scene", scene.scene)
@@ -63,7 +154,12 @@ Json scene_json(const SceneReport& scene) {
         .set("lights", static_cast<std::uint64_t>(scene.lights))
         .set("baseline_ms", scene.baseline.frame_ms)
         .set("baseline_rays", rays_json(scene.baseline.counts))
-        .set("series", std::move(all));
+        .set("resumed", scene.resumed)
+        .set("truths", std::move(truths))
+        .set("converged_truth", scene.converged)
+        .set("series", std::move(all))
+        .set("planes", std::move(planes))
+        .set("findings", texts_json(findings(scene, yardstick)));
 }
 
 }  // namespace
@@ -109,7 +205,7 @@ Json left_out_json(const Plan& plan) {
 
 std::string report_json(const LabReport& report) {
     Json scenes = Json::array();
-    for (const SceneReport& scene : report.scenes) scenes.push(scene_json(scene));
+    for (const SceneReport& scene : report.scenes) scenes.push(scene_json(scene, report.yardstick));
     return Json::object()
         .set("version", LabReport::format_version)
         .set("command", report.command)

@@ -1,6 +1,8 @@
 #include "framework/measure/report_page.h"
 
 #include "framework/measure/difference.h"
+#include "framework/measure/embedded.h"
+#include "framework/measure/findings.h"
 #include "framework/measure/markup.h"
 #include "framework/measure/numbers.h"
 
@@ -68,11 +70,12 @@ std::string result_cells(const SceneReport& scene, const LabPoint& point) {
         return fmt::format("<td class=\"why\" colspan=\"{}\">{}</td>", 5 + metrics().size(),
                            escaped(point.not_run));
     }
-    std::string cells = td(milliseconds(point.prepare_ms)) + td(milliseconds(point.frame_ms)) +
+    std::string cells = "<td class=\"text\">" + remark(point) + "</td>" +
+                        td(milliseconds(point.prepare_ms)) + td(milliseconds(point.frame_ms)) +
                         td(three_digits(scene.speedup(point)), "lead-number") +
                         td(rays_part(scene, point));
     for (const Metric& metric : metrics()) cells += td(shown(metric, point.errors));
-    return cells + "<td class=\"text\">" + remark(point) + "</td>";
+    return cells;
 }
 
 std::string cost_cells(const std::vector<RayKind>& kinds, const SceneReport& scene,
@@ -108,8 +111,9 @@ std::string legend() {
     }
     return fmt::format(
         "<div class=\"legend\"><i style=\"background:linear-gradient(90deg,{})\"></i><div>{}</div>"
-        "<p class=\"soft\">A pixel’s worst channel, in steps of 1/255 as displayed; black: equal; "
-        "magenta: not finite.</p></div>\n",
+        "<p class=\"soft\">Where one differs: a pixel’s worst channel, in steps of 1/255 as "
+        "displayed; black: equal; magenta: not finite. What is seen of it: FLIP, from black (0, "
+        "alike) through violet and orange to light yellow (1); green: not finite.</p></div>\n",
         stops, ticks);
 }
 
@@ -120,6 +124,14 @@ std::vector<std::pair<std::string, const LabPoint*>> shown_points(const LabSerie
     if (best == nullptr) return {};
     if (best == worst || series.parameter.empty()) return {{"", best}};
     return {{"best, ", best}, {"worst, ", worst}};
+}
+
+/// Filled by page/report.js: two of the section's pictures under one slider.
+std::string compare_box(std::string_view section) {
+    return fmt::format(
+        "<div class=\"compare\" data-section=\"{}\" data-right=\"1\" hidden><h3>Side by "
+        "side</h3></div>\n",
+        section);
 }
 
 std::string left_out_rows(const std::string& technique, const Plan& plan) {
@@ -140,13 +152,14 @@ std::string left_out_rows(const std::string& technique, const Plan& plan) {
 std::string html_results(const SceneReport& scene) {
     std::string html =
         "<h3>Time and error</h3>\n<div class=\"wide\"><table>\n<tr><th>technique</th>"
-        "<th class=\"text\">setting</th><th>prep, ms</th><th>frame, ms</th><th>× faster</th>"
+        "<th class=\"text\">setting</th><th></th><th>prep, ms</th><th>frame, ms</th><th>× "
+        "faster</th>"
         "<th>rays</th>";
     for (const Metric& metric : metrics()) {
         html +=
             fmt::format("<th title=\"{}\">{}</th>", escaped(metric.meaning), escaped(metric.label));
     }
-    html += "<th></th></tr>\n";
+    html += "</tr>\n";
     for (const Row& row : rows_of(scene)) {
         html += row_start(row) + result_cells(scene, *row.point) + "</tr>\n";
     }
@@ -186,19 +199,41 @@ std::string html_pictures(const SceneReport& scene, std::string_view prefix) {
     };
     add(scene.baseline.picture, "baseline", "at pixel centres");
     for (const LabSeries& series : scene.series) {
-        if (series.by_samples) continue;
+        const LabTruth* truth = scene.truth(series.truth);
         html += "</div>\n<div class=\"pictures\">\n";
+        if (truth != nullptr) add(truth->picture, "truth", truth->name);
         for (const auto& [rank, point] : shown_points(series)) {
             const std::string detail = rank + series.setting(*point);
             add(point->picture, series.technique,
                 point->identical ? detail + (detail.empty() ? "" : ": ") + "equal, bit for bit"
                                  : detail);
             add(point->difference, "where " + series.technique + " differs", detail);
+            add(point->flip_map, "what is seen of it (FLIP)", detail);
             differs = differs || !point->difference.empty();
         }
     }
     if (number == 0) return "";
-    return html + "</div>\n" + (differs ? legend() : "");
+    return html + "</div>\n" + (differs ? legend() : "") + compare_box(prefix);
+}
+
+std::string html_findings(const SceneReport& scene, const Yardstick& yardstick) {
+    std::string warnings, others;
+    for (const std::string& sentence : findings(scene, yardstick)) {
+        const bool warning = sentence.starts_with("WARNING");
+        (warning ? warnings : others) +=
+            fmt::format("<li{}>{}</li>\n", warning ? " class=\"warning\"" : "", escaped(sentence));
+    }
+    if (warnings.empty() && others.empty()) return "";
+    return "<h3>What the points say together</h3>\n<ul class=\"findings\">\n" + warnings + others +
+           "</ul>\n";
+}
+
+std::string html_scripts(const LabReport& report) {
+    return fmt::format(
+        "<style>{}</style>\n<script type=\"application/json\" id=\"lab-data\">{}</script>\n"
+        "<script>{}</script>\n<script>{}</script>\n",
+        embedded::uplot_style(), plot_data(report), embedded::uplot_script(),
+        embedded::page_script());
 }
 
 std::string html_left_out(const SceneReport& scene) {

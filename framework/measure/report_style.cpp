@@ -23,6 +23,20 @@ section{background:var(--card);border:1px solid var(--line);border-radius:14px;p
 .verdicts{list-style:none;padding:0;margin:16px 0 24px;display:grid;gap:8px}
 .verdicts li{border-left:5px solid var(--accent);padding:6px 16px;font-size:20px;background:var(--paper);
 border-radius:0 8px 8px 0}
+.findings{margin:12px 0;padding-left:22px;font-size:17px}.findings li{margin:4px 0}
+.findings .warning{list-style:"⚠ ";background:var(--warn-back);color:var(--warn);border-radius:6px;padding:2px 8px}
+.bar{display:flex;flex-wrap:wrap;gap:8px 22px;align-items:center;margin:8px 0 12px;font-size:16px}
+.bar label{color:var(--soft);max-width:100%}select{font:inherit;color:var(--ink);background:var(--paper);
+border:1px solid var(--line);border-radius:6px;padding:3px 8px;max-width:100%}
+.live .u-legend{font-size:16px;color:var(--ink)}.live .u-over{overflow:visible}
+.tip{position:absolute;pointer-events:none;background:var(--ink);color:var(--card);border-radius:6px;
+padding:4px 10px;font-size:15px;width:max-content;max-width:90%;z-index:5}
+.stack{position:relative;max-width:900px;touch-action:none;cursor:ew-resize;--at:50%}
+.stack img{display:block;width:100%;image-rendering:pixelated;border-radius:8px;user-select:none}
+.stack .over{position:absolute;inset:0;clip-path:inset(0 0 0 var(--at))}
+.stack::after{content:"";position:absolute;top:0;bottom:0;left:var(--at);width:2px;margin-left:-1px;background:#fff;
+box-shadow:0 0 0 1px #000a}.compare input{width:100%;max-width:900px;margin:10px 0 0;accent-color:var(--accent)}
+[hidden]{display:none!important}
 .plot svg{display:block;width:100%;height:auto}.plot{margin:0}
 .wide{overflow-x:auto}
 table{border-collapse:collapse;width:100%;font-size:16px;font-variant-numeric:tabular-nums}

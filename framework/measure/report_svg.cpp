@@ -1,19 +1,34 @@
+#include "framework/measure/findings.h"
 #include "framework/measure/numbers.h"
 #include "framework/measure/plot.h"
-#include "framework/measure/report.h"
+#include "framework/measure/report_page.h"
 
 #include <fmt/format.h>
 
 namespace luch {
 namespace {
 
-PlotPoint plot_point(const LabSeries& series, const LabPoint& point) {
+/// Whether no other point of the same truth beats it.
+bool is_pareto(const std::vector<ErrorPlane>& planes, const LabSeries& series,
+               const LabPoint& point) {
+    for (const ErrorPlane& plane : planes) {
+        if (plane.truth != series.truth) continue;
+        for (const PlanePoint& other : plane.points) {
+            if (other.point == &point) return other.pareto;
+        }
+    }
+    return false;
+}
+
+PlotPoint plot_point(const LabSeries& series, const LabPoint& point, bool pareto) {
     const std::string setting = series.setting(point);
-    return {point.frame_ms, point.errors.rmse,
+    return {point.frame_ms,
+            point.errors.rmse,
             series.parameter.empty() ? series.technique : exact_number(point.value),
             fmt::format("{} {}: RMSE {}, {} ms", series.technique, setting,
                         three_digits(point.errors.rmse), milliseconds(point.frame_ms)),
-            point.errors.non_finite.count > 0};
+            point.errors.non_finite.count > 0,
+            pareto};
 }
 
 }  // namespace
@@ -27,16 +42,19 @@ std::string report_svg(const SceneReport& scene) {
     plot.floor_label = "0: exact";
     plot.vertical = PlotLine{scene.baseline.frame_ms,
                              fmt::format("baseline, {} ms", milliseconds(scene.baseline.frame_ms))};
-    for (const LabSeries& series : scene.series) {
+    const std::vector<ErrorPlane> planes = planes_of(scene, find_metric("rmse"));
+    for (const LabSeries* drawn : plotted_series(scene)) {
+        const LabSeries& series = *drawn;
         PlotSeries curve;
         curve.name = series.technique;
         if (!series.parameter.empty()) curve.name += ", by " + series.parameter;
         if (series.by_samples) curve.name += ", against " + series.truth;
         curve.dashed = series.by_samples;
         for (const LabPoint& point : series.points) {
-            if (point.ran()) curve.points.push_back(plot_point(series, point));
+            if (!point.ran()) continue;
+            curve.points.push_back(plot_point(series, point, is_pareto(planes, series, point)));
         }
-        if (!curve.points.empty()) plot.series.push_back(std::move(curve));
+        plot.series.push_back(std::move(curve));
     }
     return svg_of(plot);
 }

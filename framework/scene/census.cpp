@@ -9,8 +9,22 @@ namespace {
 class Materials {
  public:
     Materials(const Scene& scene, Census& census)
-        : scene_(scene), census_(census), seen_(scene.materials.size()) {}
+        : scene_(scene),
+          census_(census),
+          seen_(scene.materials.size()),
+          seen_files_(scene.geometries.size()) {}
 
+    /// Those that a node shows.
+    void add(const Node& node) {
+        if (node.material != materials_of_file) return add(node.material);
+        if (seen_files_[node.geometry]) return;  // a forest's nodes share a few large meshes
+        seen_files_[node.geometry] = true;
+        for (const MaterialId id : std::get<Mesh>(scene_.geometries[node.geometry]).materials) {
+            add(id);
+        }
+    }
+
+ private:
     void add(MaterialId first) {
         std::vector<MaterialId> rest{first};
         while (!rest.empty()) {
@@ -22,7 +36,6 @@ class Materials {
         }
     }
 
- private:
     void count(const Lambert& material, std::vector<MaterialId>&) {
         ++census_.lit;
         census_.textured += material.texture != no_texture;
@@ -48,7 +61,7 @@ class Materials {
 
     const Scene& scene_;
     Census& census_;
-    std::vector<bool> seen_;
+    std::vector<bool> seen_, seen_files_;  ///< by material, and by geometry
 };
 
 bool is_moved(const Node& node) {
@@ -92,11 +105,7 @@ Census census_of(const Scene& scene) {
         census.smooth += shows_smooth(scene, geometry);
         census.solids += std::holds_alternative<Csg>(geometry);
         census.heightfields += std::holds_alternative<Heightfield>(geometry);
-        if (node.material != materials_of_file) {
-            materials.add(node.material);
-        } else {
-            for (const MaterialId id : std::get<Mesh>(geometry).materials) materials.add(id);
-        }
+        materials.add(node);
     }
     for (const Light& light : scene.lights) count(light, census);
     return census;

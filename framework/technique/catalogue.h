@@ -3,6 +3,7 @@
 #include "framework/technique/stress_case.h"
 #include "framework/technique/technique.h"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -12,9 +13,23 @@ namespace luch {
 
 /// A parameter whose values trade time for quality, coarse to fine; the lab walks along it.
 struct Sweep {
-    std::string_view parameter;
+    std::string_view parameter;  ///< samples_parameter: Shot::spp, not one of the technique's own
     std::span<const double> values;
+    /// The power of the parameter that the error (RMSE in linear light) is expected to follow, < 0;
+    /// 0: nothing is expected.
+    double slope = 0;
+
+    /// Whether it walks along samples a pixel: such a technique converges to a picture of its own,
+    /// and that picture, made with many samples, is its truth.
+    [[nodiscard]] bool by_samples() const;
 };
+inline constexpr std::string_view samples_parameter = "spp";
+/// Samples a pixel to walk along. One sample is the pixel's centre.
+inline constexpr std::array<double, 6> samples_sweep{1, 2, 4, 8, 16, 32};
+
+inline bool Sweep::by_samples() const {
+    return parameter == samples_parameter;
+}
 
 /// An entry of the catalogue.
 struct TechniqueInfo {

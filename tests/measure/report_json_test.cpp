@@ -9,8 +9,10 @@ namespace luch {
 namespace {
 
 TEST(ReportJson, IsReadBackWithItsVersionScenesSeriesAndPoints) {
-    const auto json = nlohmann::json::parse(report_json(testing::sample_report("a \"b\"\n<c>")));
-    EXPECT_EQ(json["version"], 1);
+    LabReport report = testing::sample_report("a \"b\"\n<c>");
+    report.yardstick = {&find_metric("rmse"), 0.05};
+    const auto json = nlohmann::json::parse(report_json(report));
+    EXPECT_EQ(json["version"], 2);
     EXPECT_EQ(json["command"], "luch lab x.scene");
     const auto& scene = json["scenes"][0];
     EXPECT_EQ(scene["scene"], "a \"b\"\n<c>");
@@ -22,6 +24,11 @@ TEST(ReportJson, IsReadBackWithItsVersionScenesSeriesAndPoints) {
     EXPECT_EQ(points[1]["errors"]["rmse"], 0.01);
     EXPECT_EQ(points[1]["rays"]["primary"], 2000);
     EXPECT_EQ(points[1]["speedup"], 4);
+    EXPECT_EQ(points[1]["cpu_ms"], 20);
+    EXPECT_TRUE(points[1]["errors_to_converged"].is_null());
+    EXPECT_EQ(scene["planes"][0]["pareto"].size(), 3u);
+    EXPECT_EQ(scene["planes"][0]["at_equal_error"]["times"][0]["technique"], "quick");
+    EXPECT_GT(scene["findings"].size(), 0u);
     EXPECT_EQ(points[2]["identical"], true);
     EXPECT_EQ(points[2]["left_out"][0]["stage"], "bump");
     EXPECT_EQ(points[2]["left_out"][0]["exact"], true);

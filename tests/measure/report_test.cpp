@@ -4,7 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include <sstream>
+#include <algorithm>
+#include <cmath>
 
 namespace luch {
 namespace {
@@ -88,6 +89,20 @@ TEST(ReportCsv, HasARowForEachPointAndAsManyCellsInEach) {
     EXPECT_EQ(rows[4][column("not_run")], "does not apply: no lights, none");
 }
 
+TEST(ReportCsv, LeavesNumbersThatAreNoneEmpty) {
+    LabReport report = sample_report("x");
+    report.scenes[0].series[0].points[0].errors.rmse = std::nan("");
+    const auto rows = cells_of(report_csv(report));
+    const auto at = std::find(rows[0].begin(), rows[0].end(), "rmse") - rows[0].begin();
+    EXPECT_EQ(rows[1][static_cast<std::size_t>(at)], "");
+    EXPECT_EQ(rows[1].size(), rows[0].size());
+}
+
+TEST(ReportSvg, RingsThePointsThatNoOtherBeats) {
+    // The baseline is slower than quick's exact setting and no faster at more samples.
+    EXPECT_EQ(occurrences(report_svg(sample_report("x").scenes[0]), "class=\"ring\""), 5u);
+}
+
 TEST(ReportSvg, HasAsManyPointsAsRowsThatRanAndTheBaselineAsALine) {
     const std::string svg = report_svg(sample_report("x").scenes[0]);
     EXPECT_EQ(occurrences(svg, "class=\"point\""), 5u);
@@ -104,7 +119,7 @@ TEST(ReportHtml, IsWholeAndAsksTheNetworkForNothing) {
                   occurrences(html, close))
             << tag;
     }
-    for (const char* outside : {"src=\"http", "href=\"http", "@import", "<script", "<link"}) {
+    for (const char* outside : {"src=\"http", "href=\"http", "@import", "<script src", "<link"}) {
         EXPECT_EQ(occurrences(html, outside), 0u) << outside;
     }
 }
@@ -115,6 +130,39 @@ TEST(ReportHtml, ShowsWhatIsWrittenInTheReport) {
     EXPECT_THAT(html, HasSubstr("does not apply: no lights, none"));
     EXPECT_THAT(html, HasSubstr("no bump maps"));
     EXPECT_THAT(html, HasSubstr("quick at lod=4: exact, bit for bit"));
+}
+
+/// The text of the page's data, without what stands around it.
+std::string data_of(const std::string& html) {
+    const std::string begin = "id=\"lab-data\">";
+    const std::size_t at = html.find(begin) + begin.size();
+    return html.substr(at, html.find("</script>", at) - at);
+}
+
+TEST(ReportHtml, HoldsThePlotsDataThatNoNameCanBreakOutOf) {
+    LabReport report = sample_report("x");
+    report.scenes[0].series[0].technique = "</script><b>";
+    const std::string data = data_of(report_html(report));
+    EXPECT_THAT(data, HasSubstr("\\u003c/script>\\u003cb>"));
+    EXPECT_THAT(data, HasSubstr("\"scenes\""));
+    EXPECT_EQ(occurrences(data, "\"ms\":"), 6u);  // with the baseline's own frame
+}
+
+TEST(ReportHtml, HoldsItsScriptsAndWithoutThemAStaticPlot) {
+    const std::string html = report_html(sample_report("x"));
+    EXPECT_THAT(html, HasSubstr("var uPlot=function"));
+    EXPECT_THAT(html, HasSubstr(".u-legend"));
+    EXPECT_THAT(html, HasSubstr("getElementById(\"lab-data\")"));
+    EXPECT_THAT(html, HasSubstr("<figure class=\"plot\"><svg"));
+}
+
+TEST(ReportHtml, SaysWhatThePointsSayTogetherWithWarningsFirst) {
+    LabReport report = sample_report("x");
+    report.scenes[0].series[2].passes = {{1, 2, 4}, {0.3, 0.29, 0.28}};
+    const std::string html = report_html(report);
+    const std::size_t warning = html.find("<li class=\"warning\">WARNING: baseline: slope");
+    ASSERT_NE(warning, std::string::npos);
+    EXPECT_LT(warning, html.find("<li>", html.find("class=\"findings\"")));
 }
 
 TEST(ReportHtml, EscapesAScenesName) {

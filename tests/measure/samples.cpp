@@ -7,6 +7,7 @@ LabPoint point(double value, double ms, double rmse, std::uint64_t rays) {
     LabPoint point;
     point.value = value;
     point.frame_ms = ms;
+    point.cpu_ms = 2 * ms;
     point.frames = 3;
     point.counts.of(RayKind::primary) = rays;
     point.errors.rmse = rmse;
@@ -40,6 +41,10 @@ LabReport sample_report(const std::string& name) {
                             {point(1, 40, 0.05, 5000), point(4, 160, 0.02, 20000)},
                             true};
     scene.series = {swept, idle, samples};
+    scene.truths.resize(2);
+    scene.truths[0].name = swept.truth;
+    scene.truths[0].exact = true;
+    scene.truths[1].name = samples.truth;
     return {"luch lab x.scene", {}, {scene}};
 }
 

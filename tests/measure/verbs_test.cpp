@@ -136,5 +136,54 @@ TEST(LabVerb, ExplainsAMistakeAndEndsWithTwo) {
     EXPECT_THAT(name.text, HasSubstr("baseline"));
 }
 
+TEST(LabVerb, RefusesAYardstickThatIsNone) {
+    const auto expect = [](const std::string& at, const std::string& word) {
+        const Ran ran = shell("'" LUCH_PROGRAM "' lab x.scene --at " + at);
+        EXPECT_EQ(ran.status, 2) << at;
+        EXPECT_THAT(ran.text, HasSubstr(word)) << at;
+    };
+    expect("rmse", "METRIC=ERROR");
+    expect("rmse=0", "above 0");
+    expect("rsme=1", "rmse");
+    expect("psnr=30", "rises with quality");
+}
+
+/// A lab over the page's scene, small, killed for good once `measurements` files lie in the
+/// journal; the status of the killed shell command is of no interest.
+std::string killed_after(int measurements, const std::string& command, const std::string& out) {
+    return fmt::format(
+        "{} > /dev/null 2>&1 & lab=$!; for i in $(seq 2000); do "
+        "n=$(ls '{}/journal' 2>/dev/null | grep -c 'luch$'); "
+        "[ \"$n\" -ge {} ] && break; kill -0 $lab 2>/dev/null || break; "
+        "sleep 0.01; done; kill -9 $lab; wait $lab; echo killed with $?",
+        command, out, measurements);
+}
+
+TEST(LabVerb, GoesOnAfterItWasKilled) {
+    const std::filesystem::path folder = own_folder();
+    const std::string scene = LUCH_SOURCE_DIR "/scenes/page/page.scene";
+    const auto lab = [&](const std::string& out) {
+        return fmt::format(
+            "'{}' lab '{}' -t vista --quick --size 96x72 --cache '{}/cache' --out '{}'",
+            LUCH_PROGRAM, scene, folder.string(), (folder / out).string());
+    };
+    const Ran killed = shell(killed_after(1, lab("killed"), (folder / "killed").string()));
+    ASSERT_THAT(killed.text, HasSubstr("killed with 137"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "killed" / "report.json"));
+    const Ran resumed = shell(lab("killed"));
+    EXPECT_EQ(resumed.status, 0) << resumed.text;
+    EXPECT_THAT(resumed.text, HasSubstr("taken over from an interrupted run"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "killed" / "journal"));
+    ASSERT_EQ(shell(lab("whole")).status, 0);
+    // All but times is the same: every error and every count. (The truth's name has a comma.)
+    const auto csv = [&](const char* out) {
+        return shell("tail -n +2 '" + (folder / out / "report.csv").string() +
+                     "' | cut -d, -f1-9,13,15-")
+            .text;
+    };
+    EXPECT_EQ(csv("killed"), csv("whole"));
+    std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace luch

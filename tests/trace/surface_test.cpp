@@ -124,6 +124,24 @@ TEST(Surface, HasTheCoursesTextureCoordinates) {
     EXPECT_NEAR(uv.y, 4 * -0.5, 1e-12);
 }
 
+/// A ball cut out of a cube leaves a hollow with the ball's own texture.
+TEST(Surface, HasTheTextureCoordinatesOfThePartThatIsCutOut) {
+    const Sphere ball{.centre = {0, 0.5, 0}, .radius = 0.75};
+    Scene solid = testing::empty_scene(), alone = testing::empty_scene();
+    testing::add(alone, ball, Lambert{});
+    solid.geometries = {Cube{.side = 1}, ball};
+    testing::add(solid, make_csg(Csg::Operation::subtract, 0, 1, solid.geometries), Lambert{});
+    const Ray into_the_hollow{{0.1, 0.3, -0.05}, {0.1, -1, 0.2}};
+    WorkCounts work;
+    const Hit in_solid = build_accelerator(solid)->closest(into_the_hollow, work);
+    const Hit in_ball = build_accelerator(alone)->closest(into_the_hollow, work);
+    ASSERT_TRUE(in_solid && in_ball);
+    ASSERT_EQ(in_solid.t, in_ball.t);
+    const Surface hollow = surface_at(solid, into_the_hollow, in_solid);
+    EXPECT_TRUE(hollow.front);
+    EXPECT_EQ(hollow.uv, surface_at(alone, into_the_hollow, in_ball).uv);
+}
+
 TEST(Surface, KeepsNormalsRightUnderNonUniformScale) {
     Scene scene = testing::empty_scene();
     testing::add(scene, Sphere{}, Lambert{}, Transform::scaling({1, 2, 1}));

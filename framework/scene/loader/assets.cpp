@@ -52,7 +52,7 @@ bool Assets::inside_root(const fs::path& file) const {
     return !problem && lies_under(resolved, root_);
 }
 
-fs::path Assets::path(Properties& block, const Property& property) const {
+fs::path Assets::path(Properties& block, const Property& property) {
     const std::string name = block.text(property);
     if (fs::path(name).is_absolute()) {
         block.diagnostics().fail(property.line,
@@ -67,6 +67,7 @@ fs::path Assets::path(Properties& block, const Property& property) const {
                                              "a wider one with --root DIR",
                                              shown(name), root_.string()));
     }
+    named_.push_back(file);
     return file;
 }
 
@@ -81,7 +82,7 @@ Image<Rgb> Assets::picture(const fs::path& file, double gamma, const Place& plac
     }
 }
 
-fs::path Assets::beside(const fs::path& file, const std::string& name) const {
+fs::path Assets::beside(const fs::path& file, const std::string& name) {
     const fs::path named = (file.parent_path() / name).lexically_normal();
     if (fs::path(name).is_absolute() || !inside_root(named)) {
         throw Error({file.string()},
@@ -89,6 +90,7 @@ fs::path Assets::beside(const fs::path& file, const std::string& name) const {
                                 "with --root DIR",
                                 shown(name), root_.string()));
     }
+    named_.push_back(named);
     return named;
 }
 

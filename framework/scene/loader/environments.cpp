@@ -8,7 +8,7 @@ namespace {
 constexpr Range gammas{0.01, 100};
 
 /// The side's picture under the first ending that is there.
-std::filesystem::path side_of(Properties& block, const Property& property, const Assets& assets,
+std::filesystem::path side_of(Properties& block, const Property& property, Assets& assets,
                               std::string_view side) {
     for (const char* ending : {".bmp", ".png", ".exr", ".hdr"}) {
         Property named = property;

@@ -55,7 +55,9 @@ Loaded load_scene(const std::filesystem::path& file, const LoadOptions& options)
             diagnostics.fail(0, "has no Camera; add a block \"Camera camera {\" with a pos");
         }
         loading.scene.name = file.stem().string();
-        return {std::move(loading.scene), std::move(diagnostics.warnings())};
+        std::vector<std::filesystem::path> files{file};
+        files.insert(files.end(), loading.assets.named().begin(), loading.assets.named().end());
+        return {std::move(loading.scene), std::move(diagnostics.warnings()), std::move(files)};
     } catch (const std::bad_alloc&) {
         throw Error({file.string()}, "needs more memory than there is; make its parts smaller");
     }

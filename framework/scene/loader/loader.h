@@ -20,6 +20,10 @@ struct LoadOptions {
 struct Loaded {
     Scene scene;
     std::vector<std::string> warnings;  ///< each "file:line: …"
+    /// The scene's own file and every file that it or its parts name, in the order of reading; some
+    /// twice, and some that were looked for and are not there. Their bytes are all that the scene
+    /// is made of.
+    std::vector<std::filesystem::path> files;
 };
 
 /// Reads a scene in the course's block format (.scene, .hexray, .trinity, .qdmg: the ending never

@@ -60,8 +60,9 @@ Tally looked_at(const Effort& effort, const Wanted& wanted, Made&& made) {
         const Sights sights = compared_with_brute(scene, wanted.size, effort.isa);
         all += sights;
         tally.judge(sights.right(), [&] {
-            return fmt::format("mesh {}: {} items, {} hits and {} depths are wrong", i,
-                               sights.wrong_items, sights.wrong_hits, sights.wrong_depths);
+            return fmt::format("mesh {}: {} items, {} hits, {} depths and {} searches are wrong", i,
+                               sights.wrong_items, sights.wrong_hits, sights.wrong_depths,
+                               sights.wrong_searches);
         });
     }
     const auto pixels = static_cast<double>(all.pixels);
@@ -94,7 +95,7 @@ Tally items_off_the_frame(const Effort& effort, bool near, const Wanted& wanted)
 }  // namespace
 
 Tally items_of_patches(const Effort& effort) {
-    return looked_at(effort, {100'000, 41, {8, 8}, 0.15, 0.005},
+    return looked_at(effort, {160'000, 41, {8, 8}, 0.15, 0.005},
                      [](std::uint64_t i, Key key, const Camera& camera) {
                          return fan(camera, i % 2 == 0 ? 0.5 : 0.05, key.branch(9));
                      });

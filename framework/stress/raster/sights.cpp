@@ -1,5 +1,7 @@
 #include "framework/stress/raster/sights.h"
 
+#include "framework/accel/accelerator.h"
+
 namespace luch::stress {
 
 Sights& Sights::operator+=(const Sights& other) {
@@ -9,6 +11,7 @@ Sights& Sights::operator+=(const Sights& other) {
     wrong_items += other.wrong_items;
     wrong_hits += other.wrong_hits;
     wrong_depths += other.wrong_depths;
+    wrong_searches += other.wrong_searches;
     return *this;
 }
 
@@ -58,8 +61,21 @@ Sights compared(ItemBuffer& buffer, const Camera& camera, Size size, const Vec2d
 
 Sights compared_with_brute(const Scene& scene, Size size, Isa isa) {
     ItemBuffer buffer(scene, isa);
-    return compared(buffer, scene.camera, size, Vec2d(0.5), Workers(1),
-                    [&](const Ray& ray) { return closest_brute(scene, ray); });
+    const auto brute = [&](const Ray& ray) { return closest_brute(scene, ray); };
+    Sights sights = compared(buffer, scene.camera, size, Vec2d(0.5), Workers(1), brute);
+    const auto accelerator = build_accelerator(scene, isa);
+    for (int i = 0; i < buffer.tile_count(); ++i) {
+        const RayPacket rays = buffer.rays(i);
+        HitPacket hits;
+        WorkCounts work;
+        accelerator->closest(rays, hits, work);
+        for (int k = 0; k < rays.count; ++k) {
+            const Hit alone = accelerator->closest(rays.ray(k), work);
+            const bool same = alone == brute(rays.ray(k)) && hits.hit(k) == alone;
+            sights.wrong_searches += same ? 0 : 1;
+        }
+    }
+    return sights;
 }
 
 Camera camera_at(const Vec3d& eye, double yaw_deg, double pitch_deg, double fov_deg) {

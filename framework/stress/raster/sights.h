@@ -17,10 +17,13 @@ struct Sights {
         0;  ///< certain ones whose node, primitive, t, u or v is not the ray's
     std::uint64_t wrong_depths =
         0;  ///< hits farther than 1/nearest, or nearer than it at the rival
+    std::uint64_t wrong_searches = 0;  ///< hits of rays alone and in packets that are not the truth
 
     Sights& operator+=(const Sights& other);
     /// Nothing wrong.
-    [[nodiscard]] bool right() const { return wrong_items + wrong_hits + wrong_depths == 0; }
+    [[nodiscard]] bool right() const {
+        return wrong_items + wrong_hits + wrong_depths + wrong_searches == 0;
+    }
 };
 
 using Truth = std::function<Hit(const Ray&)>;
@@ -29,7 +32,8 @@ using Truth = std::function<Hit(const Ray&)>;
 Sights compared(ItemBuffer& buffer, const Camera& camera, Size size, const Vec2d& offset,
                 const Workers& workers, const Truth& truth);
 
-/// The scene's own camera, pixel centres, closest_brute().
+/// The scene's own camera, pixel centres, closest_brute(), which rays alone and packets are held
+/// against, too: all four ways to find a hit.
 Sights compared_with_brute(const Scene& scene, Size size, Isa isa);
 
 /// A camera at a point that looks somewhere.
