@@ -1,3 +1,4 @@
+#include "framework/apps/marked.h"
 #include "framework/apps/session.h"
 #include "framework/apps/verbs.h"
 #include "framework/base/error.h"
@@ -50,6 +51,8 @@ class View final : public Verb {
                          "begin with the wiper, this technique on its right [baseline]");
         arguments.option("--frames", frames_, "N", "end after N frames [until Esc]");
         arguments.option("--screenshot", screenshot_, "FILE", "save the window's last picture");
+        arguments.option("--pixel", pixel_, "X,Y",
+                         "draw squares around this pixel of the frame; a small frame is enlarged");
         options_.declare(arguments);
     }
 
@@ -57,9 +60,10 @@ class View final : public Verb {
         const bool offscreen = !screen_present();
         check(offscreen);
         const Session session(scene_, options_);
+        ViewerSetup chosen = setup(session);
         const std::unique_ptr<Window> window =
-            open_window("luch view " + scene_, session.shot().size, offscreen);
-        Viewer viewer(session.studio(), setup(session), *window, std::cout);
+            open_window("luch view " + scene_, chosen.shot.size, offscreen);
+        Viewer viewer(session.studio(), std::move(chosen), *window, std::cout);
         viewer.run();
         if (!viewer.rests(patience_at_the_end)) {
             std::cout.flush();
@@ -101,14 +105,27 @@ class View final : public Verb {
         }
         setup.compare = !against_.empty();
         setup.shot = session.shot();
+        if (!pixel_.empty()) mark(setup);
         setup.budget = session.budget();
         setup.frames = frames_;
         setup.screenshot = screenshot_;
         return setup;
     }
 
+    /// Tests are on small frames: their pixels must be seen.
+    void mark(ViewerSetup& setup) const {
+        constexpr int wide_enough = 640;
+        Size& size = setup.shot.size;
+        const MarkedPixel pixel = parsed_pixel(pixel_, size);
+        const int times = std::max(1, wide_enough / size.width);
+        size = {times * size.width, times * size.height};
+        for (auto& choice : setup.techniques) {
+            choice.technique = marked(std::move(choice.technique), pixel);
+        }
+    }
+
     SceneOptions options_;
-    std::string scene_, technique_ = "baseline", against_, screenshot_;
+    std::string scene_, technique_ = "baseline", against_, screenshot_, pixel_;
     std::vector<std::string> params_;
     int frames_ = 0;
 };

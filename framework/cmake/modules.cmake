@@ -40,12 +40,24 @@ function(add_technique name)
   luch_module(techniques ${name} ${ARGN})
 endfunction()
 
-# add_homework(name source… TESTS source…): the one call of a homework's CMakeLists.txt.
+# add_homework(name source… CHECK source… TESTS source…): the one call of a homework's
+# CMakeLists.txt. CHECK: its tasks and their tests, which go into a program of their own, check_name,
+# so that little is linked after a step was changed; `luch check` builds and runs it.
 function(add_homework name)
-  luch_module(homework ${name} ${ARGN})
+  cmake_parse_arguments(homework "" "" "CHECK;TESTS" ${ARGN})
+  luch_module(homework ${name} ${homework_UNPARSED_ARGUMENTS} TESTS ${homework_TESTS})
   # A hole does nothing with what it is given.
   target_compile_options(homework_${name} PRIVATE -Wno-unused-parameter)
   target_link_libraries(homework_${name} PUBLIC techniques_${name})
+  if(homework_CHECK)
+    add_library(homework_${name}_check STATIC ${homework_CHECK})
+    target_link_libraries(homework_${name}_check PUBLIC homework_${name} luch_grading fmt::fmt)
+    configure_file(${CMAKE_SOURCE_DIR}/framework/cmake/check_main.cpp.in check_main.cpp @ONLY)
+    add_executable(check_${name} ${CMAKE_CURRENT_BINARY_DIR}/check_main.cpp)
+    target_link_libraries(check_${name} PRIVATE homework_${name}_check luch_check_program)
+    set_target_properties(check_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY
+                                                   ${CMAKE_CURRENT_BINARY_DIR})
+  endif()
 endfunction()
 
 # The list of all techniques, made from the folders present.

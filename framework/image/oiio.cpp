@@ -1,6 +1,7 @@
 #include "framework/base/error.h"
 #include "framework/image/exr_header.h"
 #include "framework/image/formats.h"
+#include "framework/image/planes.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
@@ -76,6 +77,45 @@ std::vector<float> within_half(ImageView<const Rgb> linear) {
     return values;
 }
 
+constexpr Format exr{"openexr", true};
+
+[[noreturn]] void cannot_be_written(const std::filesystem::path& file, const ImageOutput* output) {
+    const std::string why = output != nullptr ? output->geterror() : OIIO::geterror();
+    throw Error({file.string()},
+                fmt::format("cannot be written ({}); choose a folder that exists and is yours",
+                            reason(why)));
+}
+
+template <class T>
+void write_one_channel(const std::filesystem::path& file, ImageView<const T> plane,
+                       OIIO::TypeDesc type) {
+    ImageSpec spec(plane.width(), plane.height(), 1, type);
+    spec.attribute("compression", "zip");
+    const auto output = ImageOutput::create(exr.name);
+    bool fine = output && output->open(file.string(), spec);
+    if (fine) {
+        fine = output->write_image(type, plane.data());
+        fine = output->close() && fine;
+    }
+    if (!fine) cannot_be_written(file, output.get());
+}
+
+template <class T>
+Image<T> read_one_channel(const std::filesystem::path& file, OIIO::TypeDesc type) {
+    ImageSpec spec;
+    const auto input = opened(file, exr, spec);
+    check_spec(file, spec);
+    if (spec.nchannels != 1 || spec.format != type) {
+        throw Error({file.string()}, fmt::format("is not one channel of {}", type.c_str()));
+    }
+    Image<T> plane({spec.width, spec.height});
+    if (!input->read_image(0, 0, 0, 1, type, plane.pixels().data()) || input->has_error()) {
+        throw Error({file.string()}, fmt::format("ends too early or is damaged ({})",
+                                                 reason(input->geterror())));
+    }
+    return plane;
+}
+
 }  // namespace
 
 Header oiio_header(const std::filesystem::path& file, const Format& format) {
@@ -118,12 +158,27 @@ void oiio_write(const std::filesystem::path& file, const Format& format,
         fine = output->write_image(OIIO::TypeDesc::FLOAT, from);
         fine = output->close() && fine;
     }
-    if (!fine) {
-        const std::string why = output ? output->geterror() : OIIO::geterror();
-        throw Error({file.string()}, fmt::format("cannot be written ({}); choose a folder that "
-                                                 "exists and is yours",
-                                                 reason(why)));
-    }
+    if (!fine) cannot_be_written(file, output.get());
 }
 
 }  // namespace luch::formats
+
+namespace luch {
+
+void write_plane(const std::filesystem::path& file, ImageView<const float> plane) {
+    formats::write_one_channel(file, plane, OIIO::TypeDesc::FLOAT);
+}
+
+void write_plane(const std::filesystem::path& file, ImageView<const std::uint32_t> plane) {
+    formats::write_one_channel(file, plane, OIIO::TypeDesc::UINT32);
+}
+
+Image<float> read_float_plane(const std::filesystem::path& file) {
+    return formats::read_one_channel<float>(file, OIIO::TypeDesc::FLOAT);
+}
+
+Image<std::uint32_t> read_id_plane(const std::filesystem::path& file) {
+    return formats::read_one_channel<std::uint32_t>(file, OIIO::TypeDesc::UINT32);
+}
+
+}  // namespace luch

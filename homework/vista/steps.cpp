@@ -68,17 +68,18 @@ void look_up(const Screen& screen, Tile tile, ImageView<const NodeId> ids, Trace
     LUCH_TODO("vista.t7");
 }
 
-std::unique_ptr<Technique> create() {
-    return make({lod, tessellate, clip, sort, project, rasterise, look_up});
-}
-
 }  // namespace
+
+/// What the technique is made of, and what `luch check vista` tries.
+Steps steps() {
+    return {lod, tessellate, clip, sort, project, rasterise, look_up};
+}
 
 TechniqueInfo describe() {
     return {.name = "homework/vista",
             .title = "item buffer: yours",
             .topic = "3. Vista buffer",
-            .create = create,
+            .create = [] { return make(steps()); },
             .sweep = {"segments", segments_sweep}};
 }
 

@@ -1,0 +1,108 @@
+#include "framework/apps/check_program.h"
+
+#include "framework/apps/check_options.h"
+#include "framework/apps/progress.h"
+#include "framework/base/error.h"
+#include "framework/grading/check.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+
+namespace luch {
+namespace {
+
+using namespace grading;
+
+constexpr double rounding = 1e-9;
+
+class CheckProgram final : public Verb {
+ public:
+    explicit CheckProgram(const Checker& checker) : checker_(checker) {}
+    std::string_view name() const override { return "check"; }
+    std::string_view summary() const override { return CheckArguments::summary(); }
+    std::string_view examples() const override { return CheckArguments::examples(); }
+    void declare(Arguments& arguments) override { arguments_.declare(arguments); }
+    int run() override {
+        if (arguments_.regenerate) return regenerate();
+        const std::optional<std::uint64_t> seed = parsed_seed();
+        Homework homework = checker_.make(LUCH_SOURCE_DIR, seed);
+        keep_only(homework, arguments_.task);
+        if (arguments_.mutants || arguments_.variants) return check_the_tests(homework);
+        return check_the_student(homework, seed);
+    }
+
+ private:
+    [[nodiscard]] std::optional<std::uint64_t> parsed_seed() const {
+        const std::string& text = arguments_.seed;
+        if (text.empty()) return std::nullopt;
+        std::uint64_t seed = 0;
+        const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), seed);
+        if (problem == std::errc() && end == text.data() + text.size()) return seed;
+        throw Error("--seed " + text + ": give a whole number, 0 or more");
+    }
+
+    int check_the_student(const Homework& homework, std::optional<std::uint64_t> seed) const {
+        const Progress progress;
+        CheckOptions options{
+            .seed = seed, .json = arguments_.json, .judge = {}, .on_test = {}, .on_task = {}};
+        options.judge.pictures = "out";
+        options.on_test = [&](double done, const std::string& test) {
+            if (progress.on_terminal()) Progress(progress).step(done, test);
+        };
+        options.on_task = [&](const Report& report, const Report::Task& task) {
+            progress.clear();
+            fmt::print("{}", task_text(report, task));
+            std::fflush(stdout);
+        };
+        const Report report = check(homework, options);
+        fmt::print("{}", sum_text(report));
+        return report.points() >= report.max_points() - rounding ? 0 : 1;
+    }
+
+    int check_the_tests(const Homework& homework) const {
+        bool fine = true;
+        if (arguments_.mutants) {
+            const Matrix matrix = kill_matrix(homework, {});
+            fine = all_killed(matrix);
+            fmt::print("{}{} mutants, {}\n", matrix_text(matrix), matrix.rows.size(),
+                       fine ? "every one fails on two scenes or more and is known by it"
+                            : "NOT every one fails on two scenes and is known by it");
+        }
+        if (arguments_.variants) {
+            const Matrix matrix = variant_matrix(homework, {});
+            const bool passed = all_passed(matrix);
+            fmt::print("{}{} honest variants, {}\n", matrix_text(matrix), matrix.rows.size(),
+                       passed ? "every one has all points" : "NOT every one has all points");
+            fine = fine && passed;
+        }
+        return fine ? 0 : 1;
+    }
+
+    int regenerate() const {
+        if (checker_.regenerate == nullptr) {
+            throw Error("--regenerate: the reference steps are not part of this tree");
+        }
+        const int changed =
+            checker_.regenerate(LUCH_SOURCE_DIR, arguments_.yes,
+                                [](const std::string& line) { fmt::print("{}\n", line); });
+        if (changed == 0) fmt::print("nothing has changed\n");
+        if (changed == 0 || arguments_.yes) return 0;
+        fmt::print("{} files would be written; add --yes to do so\n", changed);
+        return 1;
+    }
+
+    Checker checker_;
+    CheckArguments arguments_;
+};
+
+}  // namespace
+
+int run_check_program(int argc, char** argv, const Checker& checker) {
+    std::vector<std::unique_ptr<Verb>> verbs;
+    verbs.push_back(std::make_unique<CheckProgram>(checker));
+    return dispatch(argc, argv, verbs);
+}
+
+}  // namespace luch
