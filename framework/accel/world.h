@@ -32,7 +32,7 @@ class World {
     /// nodes are left.
     template <class Visit>
     bool visit(const RayPacket& rays, const float* limits, Visit&& visit, WorkCounts& work) const {
-        if (single_) {
+        if (single_ && all_finite(rays.origin)) {
             visit(bounded_[0]);
             return true;
         }
