@@ -1,30 +1,67 @@
 #include "techniques/layered/fragments.h"
 
-#include "framework/baseline/classic.h"
+#include "framework/technique/samples.h"
 #include "techniques/layered/peel.h"
 
+#include <atomic>
 #include <limits>
 #include <numbers>
 
 namespace luch::techniques::layered {
 namespace {
 
+/// What a texel's key is used for: as the baseline's.
+constexpr std::uint64_t radiance = 1;
+
 static_assert(ItemBuffer::tile_side == Context::tile_side);
 
-void trace(const Screen& screen, Tile tile, Tracer& tracer, ImageView<Hit> hits) {
+/// In blocks of neighbours, as packets like them.
+template <class Work>
+void for_each_pixel(const Tile& tile, Work&& work) {
     constexpr int block = 4;
-    std::vector<Ray> rays;
-    std::vector<Hit*> targets;
     for (int y0 = tile.y0; y0 < tile.y1; y0 += block) {
         for (int x0 = tile.x0; x0 < tile.x1; x0 += block) {
             for (int y = y0; y < std::min(y0 + block, tile.y1); ++y) {
-                for (int x = x0; x < std::min(x0 + block, tile.x1); ++x) {
-                    rays.push_back(screen.ray(x + 0.5, y + 0.5));
-                    targets.push_back(&hits(x, y));
-                }
+                for (int x = x0; x < std::min(x0 + block, tile.x1); ++x) work(x, y);
             }
         }
     }
+}
+
+/// One of a pixel's texels, in another place in each of four neighbours.
+int one_of(int x, int y, int texels) {
+    return (x + 2 * y) % 4 * texels / 4;
+}
+
+/// Texels that are lit together.
+struct Texels {
+    std::vector<std::pair<int, int>> places;
+    std::vector<Ray> rays;
+    std::vector<Hit> hits;
+    std::vector<Key> keys;
+
+    void add(const Shot& fine, const Screen& screen, int x, int y, const Hit& hit) {
+        places.emplace_back(x, y);
+        rays.push_back(screen.ray(x + 0.5, y + 0.5));
+        hits.push_back(hit);
+        keys.push_back(sample_key(fine, x, y, 0).branch(radiance));
+    }
+    void light(const Whitted& whitted, ImageView<Rgb> colour) const {
+        std::vector<Rgb> light(rays.size());
+        whitted.shade(RayKind::primary, rays, hits, keys, light);
+        for (std::size_t i = 0; i < light.size(); ++i) {
+            colour(places[i].first, places[i].second) = light[i];
+        }
+    }
+};
+
+void trace(const Screen& screen, Tile tile, Tracer& tracer, ImageView<Hit> hits) {
+    std::vector<Ray> rays;
+    std::vector<Hit*> targets;
+    for_each_pixel(tile, [&](int x, int y) {
+        rays.push_back(screen.ray(x + 0.5, y + 0.5));
+        targets.push_back(&hits(x, y));
+    });
     std::vector<Hit> found(rays.size());
     tracer.closest(RayKind::primary, rays, found);
     for (std::size_t i = 0; i < found.size(); ++i) *targets[i] = found[i];
@@ -92,7 +129,7 @@ int margin_for(const Shot& shot, Tracer& tracer) {
         widest = std::max(widest, std::abs(signed_radius_px(depth, lens)));
     }
     // Wider margins cost more than the blurred rim of the picture is worth.
-    const int most = std::min(width, height) / 8;
+    const int most = std::min(width, height) / 24;
     return std::min(static_cast<int>(std::ceil(widest)), most);
 }
 
@@ -120,17 +157,20 @@ void Fragments::look(const Shot& shot, const Wish& wish, const Needs& needs, Con
     fine.size = {(shot.size.width + 2 * wish.margin_px) * wish.detail,
                  (shot.size.height + 2 * wish.margin_px) * wish.detail};
     fine.spp = 1;
-    if (colour_.size() != fine.size) {
+    if (colour_.size() != fine.size || first_.width() * wish.detail != fine.size.width) {
         hits_ = Image<Hit>(fine.size);
         colour_ = Image<Rgb>(fine.size);
         depth_ = Image<float>(fine.size);
-        first_ = Image<std::uint32_t>(fine.size);
+        first_ =
+            Image<std::uint32_t>({fine.size.width / wish.detail, fine.size.height / wish.detail});
     }
-    see_front(fine, needs, context);
-    see_behind(fine, lens_of(shot.camera, shot.size), needs, context);
+    const Lens lens = lens_of(shot.camera, shot.size);
+    see_front(fine, context);
+    light_front(fine, lens, needs, context);
+    see_behind(fine, lens, needs, context);
 }
 
-void Fragments::see_front(const Shot& fine, const Needs& needs, Context& context) {
+void Fragments::see_front(const Shot& fine, Context& context) {
     const Screen screen(fine.camera, fine.size);
     const bool raster = wish_.raster && buffer_ && ItemBuffer::applies(fine.camera, fine.size);
     if (raster) buffer_->draw(screen, Vec2d(0.5), context.pool());
@@ -143,7 +183,6 @@ void Fragments::see_front(const Shot& fine, const Needs& needs, Context& context
         } else {
             trace(screen, tile, tracer, hits_.view());
         }
-        shade_tile(*scene_, fine, tile, needs, tracer, hits_.view(), colour_.view());
         for (int y = tile.y0; y < tile.y1; ++y) {
             for (int x = tile.x0; x < tile.x1; ++x) {
                 depth_(x, y) = depth_of(screen, x, y, hits_(x, y));
@@ -152,35 +191,90 @@ void Fragments::see_front(const Shot& fine, const Needs& needs, Context& context
     });
 }
 
+bool Fragments::is_lit_once(int x, int y, const Lens& lens) const {
+    const int d = wish_.detail;
+    for (int k = 0; k < d * d; ++k) {
+        const int i = x * d + k % d, j = y * d + k / d;
+        if (hits_(i, j).node != hits_(x * d, y * d).node) return false;
+        const double diameter = 2 * std::abs(signed_radius_px(depth_(i, j), lens));
+        if (!(diameter > wish_.lit_once_px)) return false;
+    }
+    return true;
+}
+
+void Fragments::light_front(const Shot& fine, const Lens& lens, const Needs& needs,
+                            Context& context) {
+    const Screen screen(fine.camera, fine.size);
+    std::atomic<std::uint64_t> lit = 0;
+    const int side = std::max(Context::tile_side / wish_.detail, 1);
+    context.for_each_tile(
+        first_.size(),
+        [&](Tile pixels, int worker) {
+            Texels texels;
+            for_each_pixel(pixels, [&](int x, int y) {
+                const int d = wish_.detail;
+                const bool once = is_lit_once(x, y, lens);
+                for (int k = 0; k < d * d; ++k) {
+                    if (once && k != one_of(x, y, d * d)) continue;
+                    const int i = x * d + k % d, j = y * d + k / d;
+                    texels.add(fine, screen, i, j, hits_(i, j));
+                }
+            });
+            lit += texels.rays.size();
+            texels.light(Whitted(*scene_, needs, context.tracer(worker)), colour_.view());
+            for_each_pixel(pixels, [&](int x, int y) {
+                if (!is_lit_once(x, y, lens)) return;
+                const int d = wish_.detail, one = one_of(x, y, d * d);
+                const Rgb colour = colour_(x * d + one % d, y * d + one / d);
+                for (int k = 0; k < d * d; ++k) {
+                    colour_(x * d + k % d, y * d + k / d) = colour;
+                }
+            });
+        },
+        side);
+    lit_ = lit;
+}
+
+void Fragments::see_behind(Tile pixels, const Openings& openings, const Peeler& peeler,
+                           Peeled& found) {
+    for (int y = pixels.y0; y < pixels.y1; ++y) {
+        for (int x = pixels.x0; x < pixels.x1; ++x) {
+            first_(x, y) = none;
+            // The pixel's nearest texel hides most.
+            const int d = wish_.detail;
+            int i = x * d, j = y * d;
+            for (int k = 0; k < d * d; ++k) {
+                const int other_i = x * d + k % d, other_j = y * d + k / d;
+                if (depth_(other_i, other_j) < depth_(i, j)) i = other_i, j = other_j;
+            }
+            if (wish_.behind > 0) {
+                if (depth_(i, j) < wish_.behind) peeler.beyond(i, j, wish_.behind, found);
+            } else if (wish_.edges) {
+                const std::optional<double> deepest = openings.farthest(i, j);
+                if (deepest) peeler.peel(i, j, hits_(i, j), *deepest, found);
+            }
+        }
+    }
+    peeler.shade(found);
+}
+
 void Fragments::see_behind(const Shot& fine, const Lens& lens, const Needs& needs,
                            Context& context) {
     const Openings openings(depth_.view(), lens, wish_.detail);
-    std::vector<Peeled> tiles(
-        static_cast<std::size_t>((fine.size.width + Context::tile_side - 1) / Context::tile_side) *
-        static_cast<std::size_t>((fine.size.height + Context::tile_side - 1) / Context::tile_side));
-    const int across = (fine.size.width + Context::tile_side - 1) / Context::tile_side;
-    context.for_each_tile(fine.size, [&](Tile tile, int worker) {
-        const Peeler peeler(*scene_, fine, lens, needs, context.tracer(worker));
-        Peeled& found = tiles[static_cast<std::size_t>(tile.y0 / Context::tile_side * across +
-                                                       tile.x0 / Context::tile_side)];
-        for (int y = tile.y0; y < tile.y1; ++y) {
-            for (int x = tile.x0; x < tile.x1; ++x) {
-                first_(x, y) = none;
-                if (wish_.behind > 0) {
-                    if (depth_(x, y) < wish_.behind) peeler.beyond(x, y, wish_.behind, found);
-                    continue;
-                }
-                const auto deepest = wish_.edges ? openings.farthest(x, y) : std::nullopt;
-                if (deepest) peeler.peel(x, y, hits_(x, y), *deepest, found);
-            }
-        }
-        peeler.shade(found);
+    const int across = (first_.width() + Context::tile_side - 1) / Context::tile_side;
+    const int down = (first_.height() + Context::tile_side - 1) / Context::tile_side;
+    std::vector<Peeled> tiles(Size{across, down}.area());
+    context.for_each_tile(first_.size(), [&](Tile tile, int worker) {
+        const int index = tile.y0 / Context::tile_side * across + tile.x0 / Context::tile_side;
+        see_behind(tile, openings, Peeler(*scene_, fine, lens, needs, context.tracer(worker)),
+                   tiles[static_cast<std::size_t>(index)]);
     });
     hidden_.clear();
     for (const Peeled& tile : tiles) {
         for (std::size_t i = 0; i < tile.hidden.size(); ++i) {
             const auto [x, y] = tile.texels[i];
-            if (first_(x, y) == none) first_(x, y) = static_cast<std::uint32_t>(hidden_.size());
+            std::uint32_t& first = first_(x / wish_.detail, y / wish_.detail);
+            if (first == none) first = static_cast<std::uint32_t>(hidden_.size());
             hidden_.push_back(tile.hidden[i]);
         }
     }

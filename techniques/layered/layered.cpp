@@ -91,8 +91,12 @@ class Layered : public Technique {
     void look(const Shot& shot, Wish wish, const Needs& needs, Context& context) {
         wish.raster = context.plan().needed(stage::raster);
         wish.edges = context.plan().needed(stage::behind) && context.plan().needed(stage::blur);
+        if (context.plan().needed(stage::blur) && !context.plan().needed(stage::detail)) {
+            wish.lit_once_px = lit_once_px;
+        }
         fragments_.look(shot, wish, needs, context);
-        context.did(stage::behind, fragments_.hidden().size(), "texels");
+        context.did(stage::detail, fragments_.lit(), "texels");
+        context.did(stage::behind, fragments_.hidden().size(), "surfaces");
         if (wish.raster) context.did(stage::raster, fragments_.size().area(), "texels");
     }
 
@@ -115,9 +119,13 @@ class Layered : public Technique {
         const LensPattern pattern(shot.seed, params_.samples);
         auto& unknown = frame.plane<float>("unknown", PlaneKind::scalar, "share");
         std::atomic<std::uint64_t> followed = 0;
-        context.for_each_tile(shot.size, [&](Tile tile, int) {
-            followed += view.look(tile, pattern, frame.colour.view(), unknown.view());
-        });
+        constexpr int side = 8;  // the smaller, the fewer layers are near
+        context.for_each_tile(
+            shot.size,
+            [&](Tile tile, int) {
+                followed += view.look(tile, pattern, frame.colour.view(), unknown.view());
+            },
+            side);
         if (blur) context.did(stage::blur, followed, "lens rays");
         show(shot, frame, [&](float depth) {
             const float place = planes.position(signed_radius_px(std::min(depth, sky), lens));

@@ -115,6 +115,9 @@ Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
         stage::thin, "layers whose circles of confusion differ by less than this, in px, are one"));
     plan.stages.push_back(
         bounded(stage::small, "circles of confusion smaller than this, in px, are points"));
+    plan.stages.push_back({std::string(stage::detail), false, Stage::heuristic,
+                           "pixels that are blurred over more than the bound, in px, are lit once",
+                           lit_once_px});
     return plan;
 }
 

@@ -7,8 +7,12 @@ namespace luch::techniques::layered {
 /// Names of the technique's own stages.
 namespace stage {
 inline constexpr std::string_view blur = "blur", behind = "behind", raster = "item buffer",
-                                  thin = "thin layers", small = "small blur";
+                                  thin = "thin layers", small = "small blur",
+                                  detail = "blurred detail";
 }
+
+/// Circles of confusion of this many pixels leave no detail within one.
+inline constexpr float lit_once_px = 8;
 
 /// Whether the sky has one colour, so that it does not matter how it is blurred.
 bool sky_is_plain(const Scene& scene);

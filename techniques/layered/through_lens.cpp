@@ -7,7 +7,7 @@
 namespace luch::techniques::layered {
 namespace {
 
-constexpr int block = 16;
+constexpr int block = 8;
 /// Pixels after which the pattern repeats.
 constexpr int period = 8;
 
