@@ -4,6 +4,7 @@
 #include "framework/technique/catalogue.h"
 #include "techniques/layered/composite.h"
 #include "techniques/layered/plan.h"
+#include "techniques/layered/stress.h"
 #include "techniques/layered/through_lens.h"
 
 #include <atomic>
@@ -58,8 +59,8 @@ class Layered : public Technique {
     void visit(ParamVisitor& visitor) override {
         visitor.visit({"mode", "", "Lens rays through the layers, blurred discs, or two layers."},
                       params_.mode, mode_words);
-        visitor.visit({"layers", "", "How many, by depth (lens, discs)."}, params_.layers,
-                      least_layers, most_layers);
+        visitor.visit({"layers", "", "How many, by depth; 0: 64 (lens) or 8 (discs)."},
+                      params_.layers, 0, most_layers);
         visitor.visit({"samples", "", "Points of the lens that a pixel looks through (lens)."},
                       params_.samples, 1, 4096);
         visitor.visit({"detail", "", "Sharp samples a pixel along each axis (lens)."},
@@ -113,7 +114,7 @@ class Layered : public Technique {
                                                  : static_cast<float>(lens.focal_distance);
         const double near = signed_radius_px(std::min(depths.near, sky), lens);
         const double far = signed_radius_px(depths.sky ? sky : depths.far, lens);
-        const Planes planes(blur ? near : 0, blur ? far : 0, params_.layers,
+        const Planes planes(blur ? near : 0, blur ? far : 0, layer_count(params_),
                             !context.plan().needed(stage::thin));
         const ThroughLens view(fragments_, planes, shot, sky, !context.plan().needed(stage::small));
         const LensPattern pattern(shot.seed, params_.samples);
@@ -137,7 +138,7 @@ class Layered : public Technique {
         const bool classic = Mode(params_.mode) == Mode::classic;
         look(shot, {}, needs, context);
         const std::vector<float> cuts =
-            composite_.cuts(fragments_.depth(), classic ? 2 : params_.layers, context);
+            composite_.cuts(fragments_.depth(), layer_count(params_), context);
         show(shot, frame, [&](float depth) {
             return static_cast<std::uint32_t>(std::ranges::upper_bound(cuts, depth) - cuts.begin());
         });
@@ -186,6 +187,18 @@ class Layered : public Technique {
 
 }  // namespace
 
+int layer_count(const Params& params) {
+    switch (Mode(params.mode)) {
+        case Mode::lens:
+            return params.layers > 0 ? params.layers : 64;
+        case Mode::discs:
+            return params.layers > 0 ? params.layers : 8;
+        case Mode::classic:
+            break;
+    }
+    return 2;
+}
+
 std::unique_ptr<Technique> make(const Steps& steps, Mode mode) {
     return std::make_unique<Layered>(steps, mode);
 }
@@ -197,7 +210,8 @@ TechniqueInfo describe() {
             .title = "depth of field from sharp layers",
             .topic = "4. layers and depth of field",
             .create = [] { return make(reference(), Mode::lens); },
-            .sweep = {"layers", layers_sweep}};
+            .sweep = {"layers", layers_sweep},
+            .stress_cases = stress_cases};
 }
 
 }  // namespace luch::techniques::layered

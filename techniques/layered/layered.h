@@ -76,13 +76,15 @@ enum class Mode { lens, discs, classic };
 /// What a user may set.
 struct Params {
     int mode = 0;      ///< an index: Mode
-    int layers = 64;   ///< K; classic: always two
+    int layers = 0;    ///< K; 0: 64 (lens) or 8 (discs); classic: always two
     int samples = 64;  ///< lens: points of the lens a pixel; they cost no rays
     int detail = 2;    ///< lens: sharp samples a pixel along each axis
 };
 
-/// K's range.
-inline constexpr int least_layers = 1, most_layers = 200;
+/// K goes to here.
+inline constexpr int most_layers = 200;
+/// The layers that a mode has with these parameters.
+int layer_count(const Params& params);
 
 /// The technique, made of these steps; each one's holes are filled by the reference.
 std::unique_ptr<Technique> make(const Steps& steps, Mode mode = Mode::discs);
