@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 namespace luch::techniques::layered {
@@ -69,8 +70,10 @@ void gaussian(ImageView<const Rgba> in, float sigma, Axis axis, Tile tile, Image
     }
 }
 
-/// How many pixels' centres lie within a distance of a pixel's own.
-double centres_within(double radius) {
+/// How many pixels' centres lie within a distance of a pixel's own; of discs larger than the
+/// picture their area will do.
+double centres_within(double radius, Size picture) {
+    if (radius > picture.width + picture.height) return std::numbers::pi * radius * radius;
     double count = 0;
     const int reach = static_cast<int>(radius);
     for (int y = -reach; y <= reach; ++y) {
@@ -99,8 +102,9 @@ void disc(ImageView<const Rgba> in, ImageView<const float> coc, Tile tile, Image
         for (int x = x0; x < x1; ++x) {
             const float radius = std::max(coc(x, y) / 2, 0.5f);
             const bool sound = is_sound(in(x, y));
-            spots(x - x0, y - y0) = {radius * radius,
-                                     sound ? static_cast<float>(1 / centres_within(radius)) : 0};
+            spots(x - x0, y - y0) = {
+                radius * radius,
+                sound ? static_cast<float>(1 / centres_within(radius, in.size())) : 0};
         }
     }
     for (int y = tile.y0; y < tile.y1; ++y) {
