@@ -29,6 +29,9 @@ class Tracer {
     /// is no_node misses and costs nothing.
     void test(std::span<const NodeId> nodes, std::span<const Ray> rays, std::span<Hit> hits);
 
+    /// The rays of a packet against one node: improves `hits`, by nearer(). Not recorded.
+    void test(NodeId node, const RayPacket& rays, HitPacket& hits);
+
     [[nodiscard]] Counts& counts() { return counts_; }
 
     /// Records every ray from now on; null, as at first: none. An object test that hits is recorded

@@ -38,28 +38,29 @@ class Pixels {
     }
 
     /// One node, in every pixel.
-    void test(NodeId node) {
-        for_each([&](int k) {
-            if (!doubtful_[k]) test(k, node);
-        });
-    }
+    void test(NodeId node) { tracer_.test(node, packet_, found_); }
 
-    /// The nodes whose hulls are in front.
+    /// The nodes whose hulls are in front; where that is not enough, all whose hulls may be there.
     void test_fronts(const ItemBuffer& fronts, const Hulls& hulls, int index) {
         fronts.show(index, items_);
+        Asked in_front;
+        for_each([&](int k) {
+            const NodeId hull = items_.node[k];
+            if (doubtful_[k] || hull == no_node) return;
+            segments_[k] = hulls.segments[hull];
+            if (inverse_depth(k) > front_spread * items_.depths[k].nearest) return;
+            in_front.ask(k, hulls.node_of[hull]);
+        });
+        test(in_front);
         for_each([&](int k) {
             if (doubtful_[k]) return;
-            const NodeId hull = items_.node[k];
-            if (hull == no_node) {
+            if (items_.node[k] == no_node) {
                 if (items_.ambiguous[k]) test_all(k, hulls);
                 return;
             }
-            segments_[k] = hulls.segments[hull];
-            const ItemDepths& depths = items_.depths[k];
-            if (inverse_depth(k) > front_spread * depths.nearest) return;
-            test(k, hulls.node_of[hull]);
-            if (inverse_depth(k) * rounding > depths.second || depths.second == 0) return;
-            test_all(k, hulls);
+            const float second = items_.depths[k].second;
+            if (in_front.node[k] == no_node || second == 0) return;
+            if (!(inverse_depth(k) * rounding > second)) test_all(k, hulls);
         });
     }
 
@@ -150,6 +151,32 @@ class Pixels {
 
     static bool inside(const Tile& tile, int x, int y) {
         return x >= tile.x0 && x < tile.x1 && y >= tile.y0 && y < tile.y1;
+    }
+
+    /// Which node each pixel is to be tested with.
+    struct Asked {
+        std::array<NodeId, RayPacket::capacity> node;
+        Asked() { node.fill(no_node); }
+        void ask(int k, NodeId of) { node[static_cast<std::size_t>(k)] = of; }
+    };
+
+    /// One packet a node, in which only the pixels that ask for it look for something.
+    void test(const Asked& asked) {
+        const std::span<float> limits(packet_.t_max, RayPacket::capacity);
+        std::array<float, RayPacket::capacity> before;
+        std::ranges::copy(limits, before.begin());
+        std::array<bool, RayPacket::capacity> done{};
+        for (std::size_t first = 0; first < RayPacket::capacity; ++first) {
+            const NodeId node = asked.node[first];
+            if (node == no_node || done[first]) continue;
+            for (std::size_t k = 0; k < RayPacket::capacity; ++k) {
+                const bool asks = asked.node[k] == node;
+                done[k] = done[k] || asks;
+                limits[k] = asks ? before[k] : -std::numeric_limits<float>::infinity();
+            }
+            tracer_.test(node, packet_, found_);
+        }
+        std::ranges::copy(before, limits.begin());
     }
 
     /// Where the node in front was not enough: all whose hulls may be there, if they are few.
