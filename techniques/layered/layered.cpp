@@ -137,8 +137,13 @@ class Layered : public Technique {
     void render_layers(const Shot& shot, const Needs& needs, Frame& frame, Context& context) {
         const bool classic = Mode(params_.mode) == Mode::classic;
         look(shot, {}, needs, context);
-        const std::vector<float> cuts =
-            composite_.cuts(fragments_.depth(), layer_count(params_), context);
+        Image<float> depths = fragments_.depth();
+        if (classic) {
+            // What is nearer than the plane of focus is foreground anyway.
+            const auto focus = static_cast<float>(shot.camera.focal_distance);
+            for (float& depth : depths.pixels()) depth = std::max(depth, focus);
+        }
+        const std::vector<float> cuts = composite_.cuts(depths, layer_count(params_), context);
         show(shot, frame, [&](float depth) {
             return static_cast<std::uint32_t>(std::ranges::upper_bound(cuts, depth) - cuts.begin());
         });

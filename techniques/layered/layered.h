@@ -77,7 +77,7 @@ enum class Mode { lens, discs, classic };
 struct Params {
     int mode = 0;      ///< an index: Mode
     int layers = 0;    ///< K; 0: 64 (lens) or 8 (discs); classic: always two
-    int samples = 64;  ///< lens: points of the lens a pixel; they cost no rays
+    int samples = 48;  ///< lens: points of the lens a pixel; they cost no rays
     int detail = 2;    ///< lens: sharp samples a pixel along each axis
 };
 

@@ -6,11 +6,15 @@
 namespace luch::techniques::layered {
 namespace {
 
-/// Radii below this are divided evenly, larger ones by their ratio.
-constexpr double bend_px = 8;
+/// Radii well below this are divided evenly, larger ones the more coarsely.
+constexpr double bend_px = 24;
 
 double bent(double radius_px) {
-    return std::asinh(radius_px / bend_px);
+    return radius_px / (1 + std::abs(radius_px) / bend_px);
+}
+
+double straightened(double bent_px) {
+    return bent_px / (1 - std::abs(bent_px) / bend_px);
 }
 
 }  // namespace
@@ -36,7 +40,7 @@ float Planes::position(double radius_px) const {
 double Planes::radius_px(int plane) const {
     const double at = first_ - plane * step_;
     if (std::abs(at) <= step_ / 2) return 0;
-    return bend_px * std::sinh(at);
+    return straightened(at);
 }
 
 }  // namespace luch::techniques::layered

@@ -3,7 +3,7 @@
 namespace luch::techniques::layered {
 
 /// Layers as planes that a lens ray crosses one after the other: 0 is the nearest. They are close
-/// where circles of confusion are small, and grow with them: equal steps of asinh(c / bend_px).
+/// where circles of confusion are small, and grow with them: equal steps of c / (1 + |c| / 24 px).
 class Planes {
  public:
     /// From signed radius `near_px` down to `far_px`. `merge`: no more planes than make circles of
