@@ -63,6 +63,12 @@ class CheckProgram final : public Verb {
 
     int check_the_tests(const Homework& homework) const {
         bool fine = true;
+        if ((arguments_.mutants && homework.mutants.empty()) ||
+            (arguments_.variants && homework.variants.empty())) {
+            throw Error(
+                "--mutants, --variants: they are made from the reference steps, which are "
+                "not part of this tree");
+        }
         if (arguments_.mutants) {
             const Matrix matrix = kill_matrix(homework, {});
             fine = all_killed(matrix);

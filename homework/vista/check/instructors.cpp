@@ -1,0 +1,24 @@
+#include "homework/vista/check/instructors.h"
+
+#include "homework/vista/check/make_samples.h"
+#include "homework/vista/check/others.h"
+
+namespace luch::homework::vista {
+namespace {
+
+std::vector<Sample> hidden_samples(std::uint64_t seed) {
+    return samples_from_seed(seed, reference());
+}
+
+int make_again(const std::filesystem::path& root, bool consent,
+               const std::function<void(const std::string&)>& say) {
+    return regenerate(root, reference(), consent, say);
+}
+
+}  // namespace
+
+Instructors instructors() {
+    return {mutants(), variants(), hidden_samples, make_again};
+}
+
+}  // namespace luch::homework::vista
