@@ -82,7 +82,7 @@ std::vector<fs::path> files_below(const fs::path& root, const std::vector<Rule>&
     for (const auto& entry : fs::directory_iterator(root)) {
         const std::string name = entry.path().filename().string();
         const bool named = std::ranges::any_of(
-            rules, [&](const Rule& rule) { return split(rule.pattern, '/').front() == name; });
+            rules, [&](const Rule& rule) { return fits(name, split(rule.pattern, '/').front()); });
         if (!named) continue;
         add(entry);
         if (!entry.is_directory()) continue;
