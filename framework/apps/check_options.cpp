@@ -10,7 +10,8 @@ void CheckArguments::declare(Arguments& arguments) {
     arguments.flag("--mutants", mutants, "check the tests: every known mistake must be found");
     arguments.flag("--variants", variants, "check the tests: every honest solution must pass");
     arguments.flag("--regenerate", regenerate,
-                   "say which stored reference outputs would change; with --yes, write them");
+                   "say which stored reference outputs would change, and show it (FLIP); "
+                   "with --yes, write them");
     arguments.flag("--yes", yes, "with --regenerate: overwrite");
 }
 

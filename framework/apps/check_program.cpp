@@ -4,6 +4,10 @@
 #include "framework/apps/progress.h"
 #include "framework/base/error.h"
 #include "framework/grading/check.h"
+#include "framework/image/io.h"
+#include "framework/measure/difference.h"
+#include "framework/measure/flip.h"
+#include "framework/measure/magma.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +20,24 @@ namespace {
 using namespace grading;
 
 constexpr double rounding = 1e-9;
+
+/// A reference picture as it was, as it would be, and what an eye would see between the two, in
+/// out/regenerate/balls.named/{old,new,flip}.png.
+void show_change(const std::filesystem::path& file, const Image<Rgb>& old, const Image<Rgb>& made) {
+    const auto displayed = [](Image<Rgb> image) {
+        for (Rgb& pixel : image.pixels()) pixel = srgb_encoded(pixel);
+        return image;
+    };
+    const FlipResult flip = flip_ldr(displayed(old).view(), displayed(made).view());
+    const std::filesystem::path folder =
+        std::filesystem::path("out/regenerate") /
+        (file.parent_path().filename().string() + "." + file.stem().string());
+    std::filesystem::create_directories(folder);
+    write_picture(folder / "old.png", old.view());
+    write_picture(folder / "new.png", made.view());
+    write_displayed(folder / "flip.png", in_magma(flip.map.view()).view());
+    fmt::print("  FLIP {:.3g}: {}/{{old,new,flip}}.png\n", flip.mean, folder.string());
+}
 
 class CheckProgram final : public Verb {
  public:
@@ -90,9 +112,10 @@ class CheckProgram final : public Verb {
         if (checker_.regenerate == nullptr) {
             throw Error("--regenerate: the reference steps are not part of this tree");
         }
-        const int changed =
-            checker_.regenerate(LUCH_SOURCE_DIR, arguments_.yes,
-                                [](const std::string& line) { fmt::print("{}\n", line); });
+        const int changed = checker_.regenerate(
+            LUCH_SOURCE_DIR, {.consent = arguments_.yes,
+                              .say = [](const std::string& line) { fmt::print("{}\n", line); },
+                              .show = show_change});
         if (changed == 0) fmt::print("nothing has changed\n");
         if (changed == 0 || arguments_.yes) return 0;
         fmt::print("{} files would be written; add --yes to do so\n", changed);

@@ -10,9 +10,8 @@ std::vector<Sample> hidden_samples(std::uint64_t seed) {
     return samples_from_seed(seed, reference());
 }
 
-int make_again(const std::filesystem::path& root, bool consent,
-               const std::function<void(const std::string&)>& say) {
-    return regenerate(root, reference(), consent, say);
+int make_again(const std::filesystem::path& root, const grading::Regeneration& regeneration) {
+    return regenerate(root, reference(), regeneration);
 }
 
 }  // namespace

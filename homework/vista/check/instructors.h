@@ -4,7 +4,6 @@
 #include "homework/vista/check/tests.h"
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace luch::homework::vista {
