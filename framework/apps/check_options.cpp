@@ -12,6 +12,7 @@ void CheckArguments::declare(Arguments& arguments) {
     arguments.flag("--regenerate", regenerate,
                    "say which stored reference outputs would change, and show it (FLIP); "
                    "with --yes, write them");
+    arguments.flag("--handout", handout, "make the pictures of the handout again");
     arguments.flag("--yes", yes, "with --regenerate: overwrite");
 }
 

@@ -48,6 +48,7 @@ class CheckProgram final : public Verb {
     void declare(Arguments& arguments) override { arguments_.declare(arguments); }
     int run() override {
         if (arguments_.regenerate) return regenerate();
+        if (arguments_.handout) return make_handout();
         const std::optional<std::uint64_t> seed = parsed_seed();
         Homework homework = checker_.make(LUCH_SOURCE_DIR, seed);
         keep_only(homework, arguments_.task);
@@ -120,6 +121,20 @@ class CheckProgram final : public Verb {
         if (changed == 0 || arguments_.yes) return 0;
         fmt::print("{} files would be written; add --yes to do so\n", changed);
         return 1;
+    }
+
+    int make_handout() const {
+        if (checker_.handout == nullptr) {
+            throw Error("--handout: the reference steps are not part of this tree");
+        }
+        const std::filesystem::path folder =
+            std::filesystem::path(LUCH_SOURCE_DIR) / "homework" / checker_.topic / "pictures";
+        std::filesystem::create_directories(folder);
+        for (const NamedPicture& picture : checker_.handout(LUCH_SOURCE_DIR)) {
+            write_picture(folder / (picture.name + ".png"), picture.pixels.view());
+            fmt::print("{}\n", (folder / (picture.name + ".png")).string());
+        }
+        return 0;
     }
 
     Checker checker_;

@@ -30,6 +30,8 @@ struct Checker {
     /// Returns how many files differ. Null where the reference steps are not here.
     int (*regenerate)(const std::filesystem::path& root,
                       const Regeneration& regeneration) = nullptr;
+    /// Makes the handout's pictures, which stand in pictures/ beside it. Null likewise.
+    std::vector<NamedPicture> (*handout)(const std::filesystem::path& root) = nullptr;
 };
 
 }  // namespace luch::grading

@@ -40,7 +40,8 @@ grading::Homework make(const std::filesystem::path& root, std::optional<std::uin
 }  // namespace
 
 grading::Checker checker() {
-    return {"vista", make, instructors().regenerate};
+    const Instructors instructed = instructors();
+    return {"vista", make, instructed.regenerate, instructed.handout};
 }
 
 }  // namespace luch::homework::vista

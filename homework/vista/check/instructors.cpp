@@ -2,6 +2,7 @@
 
 #include "homework/vista/check/make_samples.h"
 #include "homework/vista/check/others.h"
+#include "homework/vista/check/pictures.h"
 
 namespace luch::homework::vista {
 namespace {
@@ -14,10 +15,14 @@ int make_again(const std::filesystem::path& root, const grading::Regeneration& r
     return regenerate(root, reference(), regeneration);
 }
 
+std::vector<grading::NamedPicture> pictures(const std::filesystem::path& root) {
+    return handout_pictures(root, reference());
+}
+
 }  // namespace
 
 Instructors instructors() {
-    return {mutants(), variants(), hidden_samples, make_again};
+    return {mutants(), variants(), hidden_samples, make_again, pictures};
 }
 
 }  // namespace luch::homework::vista

@@ -16,6 +16,7 @@ struct Instructors {
     std::vector<Sample> (*samples_from_seed)(std::uint64_t seed) = nullptr;
     /// See grading::Checker.
     decltype(grading::Checker::regenerate) regenerate = nullptr;
+    decltype(grading::Checker::handout) handout = nullptr;
 };
 Instructors instructors();
 

@@ -30,6 +30,17 @@ bool written(Context& context, const Work& work) {
     }
 }
 
+/// Read once, when the first frame is prepared.
+struct Files {
+    std::vector<Sample> samples;
+    LodSample lod;
+};
+const Files& files() {
+    static const Files all{homework::vista::stored_samples(LUCH_SOURCE_DIR),
+                           homework::vista::stored_lod(LUCH_SOURCE_DIR)};
+    return all;
+}
+
 class Vista final : public Technique {
  public:
     explicit Vista(const Steps& steps) : steps_(steps) {}
@@ -52,10 +63,9 @@ class Vista final : public Technique {
     }
 
     void prepare(const Scene& scene, const Shot& shot, Context&) override {
-        stored_.reset();
-        lod_ = homework::vista::stored_lod(LUCH_SOURCE_DIR);
-        for (Sample& sample : homework::vista::stored_samples(LUCH_SOURCE_DIR)) {
-            if (shows(sample, scene, shot)) stored_ = std::move(sample);
+        stored_ = nullptr;
+        for (const Sample& sample : files().samples) {
+            if (shows(sample, scene, shot)) stored_ = &sample;
         }
     }
 
@@ -105,7 +115,8 @@ class Vista final : public Technique {
         if (n == 0) {
             const float radius = radius_px(scene, node, screen);
             if (!written(context, [&] { n = steps_.lod(geometry, radius); })) {
-                n = std::holds_alternative<Sphere>(geometry) ? stored_segments(lod_, radius) : 0;
+                n = std::holds_alternative<Sphere>(geometry) ? stored_segments(files().lod, radius)
+                                                             : 0;
             }
         }
         if (!written(context, [&] { steps_.tessellate(geometry, n, triangles); })) return false;
@@ -126,15 +137,15 @@ class Vista final : public Technique {
         });
         std::vector<Tri> around;
         for (const auto& some : of_node) around.insert(around.end(), some.begin(), some.end());
-        if (!shaped && stored_) around = stored_->around;
-        bool known = shaped || stored_;
+        if (!shaped && stored_ != nullptr) around = stored_->around;
+        bool known = shaped || stored_ != nullptr;
         if (!written(context, [&] { steps_.clip(around, frustum_of(screen), triangles_); })) {
-            known = stored_.has_value();
+            known = stored_ != nullptr;
             if (known) triangles_ = stored_->in_view;
         }
         if (Hidden(params_.hidden) == Hidden::depth) return known;
         if (!written(context, [&] { steps_.sort(triangles_); })) {
-            known = stored_.has_value();
+            known = stored_ != nullptr;
             if (known) triangles_ = stored_->sorted();
         }
         return known;
@@ -154,8 +165,8 @@ class Vista final : public Technique {
                 projected = false;
             }
         });
-        if (!projected && stored_) on_screen_ = stored_->on_screen;
-        return projected || stored_;
+        if (!projected && stored_ != nullptr) on_screen_ = stored_->on_screen;
+        return projected || stored_ != nullptr;
     }
 
     bool paint(Context& context, ImageView<NodeId> ids, ImageView<float> depth) const {
@@ -177,7 +188,7 @@ class Vista final : public Technique {
     }
 
     bool stored_ids(Image<NodeId>& ids, Image<float>& depth) const {
-        if (!stored_) return false;
+        if (stored_ == nullptr) return false;
         ids = Hidden(params_.hidden) == Hidden::depth ? stored_->nearest_ids : stored_->painter_ids;
         depth = stored_->nearest_depth;
         return true;
@@ -185,8 +196,7 @@ class Vista final : public Technique {
 
     Steps steps_;
     Params params_;
-    LodSample lod_;
-    std::optional<Sample> stored_;  ///< of a public scene, seen as it was stored
+    const Sample* stored_ = nullptr;  ///< of a public scene, seen as it was stored
     std::vector<Tri> triangles_;
     std::vector<ScreenTri> on_screen_;
     Image<Hit> hits_;
