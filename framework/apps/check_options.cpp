@@ -21,7 +21,10 @@ std::string_view CheckArguments::examples() {
            "  luch check vista --task vista.t3     only one task\n"
            "  luch check vista --seed 7            also on three scenes that nobody has seen\n"
            "  luch check vista --json report.json  for a machine to read\n"
-           "  luch check --mutants vista           are all known mistakes found?\n";
+           "  luch check --mutants vista           are all known mistakes found?\n"
+           "  luch check vista --regenerate        would the reference outputs change?\n"
+           "  luch check vista --handout           the handout's pictures, "
+           "homework/vista/pictures\n";
 }
 
 }  // namespace luch

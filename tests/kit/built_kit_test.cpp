@@ -94,7 +94,9 @@ TEST_F(BuiltKit, ShowsWhatIsThereBeforeAnythingIsWritten) {
         "--size 64x48 --screenshot out/view.png");
     EXPECT_EQ(seen.status, 0) << seen.text;
     EXPECT_EQ(read_picture(kit / "out/view.png").pixels.size(), Size(64, 48));
-    EXPECT_THAT(luch("list").text, Not(HasSubstr("\nvista ")));
+    const Ran listed = in_kit("./run list");
+    EXPECT_THAT(listed.text, HasSubstr("\nhomework/vista "));
+    EXPECT_THAT(listed.text, Not(HasSubstr("\nvista ")));
     EXPECT_EQ(luch("kit out/kit").status, 2) << "a kit makes no kits";
 }
 
