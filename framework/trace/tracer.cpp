@@ -60,6 +60,17 @@ Hit Tracer::closest(RayKind kind, const Ray& ray) {
     return hit;
 }
 
+void Tracer::closest(RayKind kind, const RayPacket& rays, HitPacket& hits) {
+    for (int i = 0; i < rays.count; ++i) counts_.of(kind) += rays.t_max[i] > rays.t_min ? 1 : 0;
+    accelerator_->closest(rays, hits, counts_.work);
+    if (log_ == nullptr) return;
+    for (int i = 0; i < rays.count; ++i) {
+        const Ray ray = rays.ray(i);
+        const Hit hit = hits.hit(i);
+        if (ray.t_max > ray.t_min) log_->closest(kind, {&ray, 1}, {&hit, 1});
+    }
+}
+
 void Tracer::occluded(RayKind kind, std::span<const Ray> rays, std::span<std::uint8_t> blocked) {
     assert(rays.size() == blocked.size());
     counts_.of(kind) += rays.size();
