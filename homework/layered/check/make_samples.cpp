@@ -1,7 +1,6 @@
 #include "homework/layered/check/make_samples.h"
 
 #include "framework/baseline/classic.h"
-#include "framework/image/planes.h"
 #include "framework/math/rng.h"
 #include "framework/scene/loader/loader.h"
 #include "homework/layered/check/store.h"
@@ -116,25 +115,6 @@ class SceneMaker {
     std::uint64_t drawn_ = 0;
 };
 
-bool regenerate_plane(const std::filesystem::path& file, const Image<float>& made, bool consent,
-                      const std::function<void(const std::string&)>& say) {
-    if (std::filesystem::exists(file)) {
-        const Image<float> old = read_float_plane(file);
-        if (old == made) return false;
-        std::size_t count = made.size() == old.size() ? 0 : made.size().area();
-        for (std::size_t i = 0; made.size() == old.size() && i < made.pixels().size(); ++i) {
-            count += made.pixels()[i] != old.pixels()[i];
-        }
-        say(fmt::format("{}: {} numbers differ", file.string(), count));
-    } else {
-        say(fmt::format("{}: new", file.string()));
-    }
-    if (!consent) return true;
-    std::filesystem::create_directories(file.parent_path());
-    write_plane(file, made.view());
-    return true;
-}
-
 }  // namespace
 
 Sample sample_of(std::string name, std::shared_ptr<const Scene> scene, const Steps& steps) {
@@ -162,16 +142,17 @@ std::vector<Sample> samples_from_seed(std::uint64_t seed, const Steps& steps) {
     return samples;
 }
 
-int regenerate(const std::filesystem::path& root, const Steps& steps, bool consent,
-               const std::function<void(const std::string&)>& say) {
+int regenerate(const std::filesystem::path& root, const Steps& steps,
+               const grading::Regeneration& regeneration) {
     const std::filesystem::path folder = root / "homework/layered";
     int changed = 0;
     for (const std::string& name : sample_names()) {
         auto scene =
             std::make_shared<const Scene>(load_scene(folder / "scenes" / (name + ".scene")).scene);
-        for (const StoredPlane& plane : planes_of(sample_of(name, std::move(scene), steps))) {
-            changed += regenerate_plane(folder / "reference" / name / plane.name, plane.plane,
-                                        consent, say);
+        const Sample sample = sample_of(name, std::move(scene), steps);
+        for (const grading::StoredPlane& plane : planes_of(sample)) {
+            changed += grading::regenerate_plane(folder / "reference" / name, plane,
+                                                 sample.depth.size(), regeneration);
         }
     }
     return changed;

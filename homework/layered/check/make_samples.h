@@ -1,9 +1,9 @@
 #pragma once
 
+#include "framework/grading/checker.h"
 #include "homework/layered/check/samples.h"
 
 #include <cstdint>
-#include <functional>
 
 // Needs the reference steps; the students' kit does without.
 namespace luch::homework::layered {
@@ -15,8 +15,8 @@ Sample sample_of(std::string name, std::shared_ptr<const Scene> scene, const Ste
 std::vector<Sample> samples_from_seed(std::uint64_t seed, const Steps& steps);
 
 /// Makes the public samples again and writes those files of homework/layered/reference that change.
-/// `say` gets a line for each; without `consent` nothing is written. Returns how many differ.
-int regenerate(const std::filesystem::path& root, const Steps& steps, bool consent,
-               const std::function<void(const std::string&)>& say);
+/// Returns how many differ.
+int regenerate(const std::filesystem::path& root, const Steps& steps,
+               const grading::Regeneration& regeneration);
 
 }  // namespace luch::homework::layered

@@ -35,7 +35,7 @@ Image<float> column_of(const std::vector<float>& values) {
 
 }  // namespace
 
-std::vector<StoredPlane> planes_of(const Sample& sample) {
+std::vector<grading::StoredPlane> planes_of(const Sample& sample) {
     return {{"depth.exr", sample.depth},
             {"cuts.exr", column_of(sample.cuts)},
             {"coc.exr", sample.coc},

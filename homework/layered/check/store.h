@@ -1,16 +1,12 @@
 #pragma once
 
+#include "framework/grading/stored.h"
 #include "homework/layered/check/samples.h"
 
 // How a sample lies in files: one-channel EXR of floats; r, g, b, a side by side.
 namespace luch::homework::layered {
 
-struct StoredPlane {
-    std::string name;  ///< "spread.exr"
-    Image<float> plane;
-};
-
-std::vector<StoredPlane> planes_of(const Sample& sample);
+std::vector<grading::StoredPlane> planes_of(const Sample& sample);
 
 /// Fills all but name and scene from the files of a folder. Throws Error.
 void read_planes(const std::filesystem::path& folder, Sample& sample);
