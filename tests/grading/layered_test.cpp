@@ -1,7 +1,10 @@
 #include "techniques/layered/layered.h"
 
+#include "framework/base/files.h"
 #include "framework/grading/check.h"
 #include "framework/grading/checker.h"
+#include "framework/image/io.h"
+#include "tests/testing/own_folder.h"
 #include "tests/testing/shell.h"
 
 #include <gmock/gmock.h>
@@ -63,6 +66,25 @@ TEST(CheckLayered, KeepsItsReferenceOutputsSmall) {
     }
     EXPECT_GT(bytes, 50'000u);
     EXPECT_LE(bytes, 300'000u);
+}
+
+TEST(CheckLayered, HasTheHandoutsPicturesOfTheReferenceSteps) {
+    const std::filesystem::path homework = LUCH_SOURCE_DIR "/homework/layered";
+    const auto folder = own_folder();
+    std::uintmax_t bytes = 0;
+    for (const auto& picture : checker().handout(LUCH_SOURCE_DIR)) {
+        const std::string file = "pictures/" + picture.name + ".png";
+        write_picture(folder / "made.png", picture.pixels.view());
+        EXPECT_EQ(read_picture(homework / file).pixels, read_picture(folder / "made.png").pixels)
+            << file << ": luch check layered --handout makes it again";
+        for (const char* handout : {"README.md", "README.bg.md"}) {
+            EXPECT_THAT(read_text(homework / handout), HasSubstr("](" + file + ")")) << handout;
+        }
+        bytes += file_size(homework / file);
+    }
+    EXPECT_GT(bytes, 20'000u);
+    EXPECT_LE(bytes, 150'000u);
+    std::filesystem::remove_all(folder);
 }
 
 /// The points of every task when only this step is written.

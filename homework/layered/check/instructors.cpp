@@ -21,7 +21,7 @@ Image<Rgb> picture(const std::filesystem::path& file, Mode mode) {
     const auto accelerator = build_accelerator(scene);
     const Workers workers;
     Shot shot = shot_of(scene);
-    shot.size = {200, 150};
+    shot.size = {176, 132};
     return run(*make(reference(), mode), {scene, *accelerator, workers}, shot, {}, {0, 1})
         .frame.colour;
 }
