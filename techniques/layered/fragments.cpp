@@ -1,6 +1,7 @@
 #include "techniques/layered/fragments.h"
 
 #include "framework/technique/samples.h"
+#include "techniques/layered/confusion.h"
 #include "techniques/layered/peel.h"
 
 #include <atomic>

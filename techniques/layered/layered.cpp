@@ -3,6 +3,7 @@
 #include "framework/baseline/classic.h"
 #include "framework/technique/catalogue.h"
 #include "techniques/layered/composite.h"
+#include "techniques/layered/confusion.h"
 #include "techniques/layered/plan.h"
 #include "techniques/layered/stress.h"
 #include "techniques/layered/through_lens.h"

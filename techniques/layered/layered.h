@@ -28,11 +28,6 @@ struct Lens {
 };
 Lens lens_of(const Camera& camera, Size size);
 
-/// The radius in pixels of the circle of confusion, with a sign: negative behind the plane of
-/// focus. A point at depth z that the middle of the lens sees at pixel p is seen at p − c·u from
-/// the point u of the lens's unit disc, where p is held fixed in the plane of focus.
-double signed_radius_px(double z, const Lens& lens);
-
 enum class Axis { x, y };
 
 /// The lecture's steps; a homework replaces one after the other. A step reads what it likes and

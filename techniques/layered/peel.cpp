@@ -1,6 +1,7 @@
 #include "techniques/layered/peel.h"
 
 #include "framework/technique/samples.h"
+#include "techniques/layered/confusion.h"
 
 #include <algorithm>
 

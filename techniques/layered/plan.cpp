@@ -2,6 +2,7 @@
 
 #include "framework/baseline/stages.h"
 #include "framework/raster/item_buffer.h"
+#include "techniques/layered/confusion.h"
 #include "techniques/layered/planes.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // The lecture's steps, in its order. Potmesil and Chakravarty, "A Lens and Aperture Camera Model
 // for Synthetic Image Generation", SIGGRAPH 1981; Porter and Duff, "Compositing Digital Images",
 // SIGGRAPH 1984.
-#include "techniques/layered/layered.h"
+#include "techniques/layered/confusion.h"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,7 @@
 #include "techniques/layered/through_lens.h"
 
 #include "framework/math/spread.h"
+#include "techniques/layered/confusion.h"
 
 #include <cmath>
 
