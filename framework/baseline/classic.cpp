@@ -1,24 +1,12 @@
 #include "framework/baseline/classic.h"
 
-#include <algorithm>
+#include "framework/baseline/blocks.h"
 
 namespace luch {
 namespace {
 
 /// What a sample's key is used for.
 constexpr std::uint64_t radiance = 1;
-
-template <class Work>
-void for_each_pixel(const Tile& tile, Work&& work) {
-    constexpr int block = 4;
-    for (int y0 = tile.y0; y0 < tile.y1; y0 += block) {
-        for (int x0 = tile.x0; x0 < tile.x1; x0 += block) {
-            for (int y = y0; y < std::min(y0 + block, tile.y1); ++y) {
-                for (int x = x0; x < std::min(x0 + block, tile.x1); ++x) work(x, y);
-            }
-        }
-    }
-}
 
 /// The rays of a tile's pixels, but for pixels that no ray goes through.
 struct TileRays {
@@ -65,6 +53,10 @@ bool is_edge(ImageView<const Rgb> image, int x, int y) {
 
 }  // namespace
 
+Key radiance_key(const Shot& shot, int x, int y, int sample) {
+    return sample_key(shot, x, y, sample).branch(radiance);
+}
+
 void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
                 Tracer& tracer, ImageView<Rgb> colour) {
     const Screen screen(shot.camera, shot.size);
@@ -78,7 +70,7 @@ void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
         tile_rays.clear();
         for_each_pixel(tile, [&](int x, int y) {
             tile_rays.add(x, y, primary_ray(screen, shot, x, y, sample, samples, lens),
-                          sample_key(shot, x, y, sample).branch(radiance));
+                          radiance_key(shot, x, y, sample));
         });
         if (lens) tracer.counts().did(Part::lens, tile_rays.rays.size());
         hits.resize(tile_rays.rays.size());
@@ -96,35 +88,40 @@ void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
     for_each_pixel(tile, [&](int x, int y) {
         colour(x, y) = Rgb(0);
         tile_rays.add(x, y, screen.ray(x + 0.5, y + 0.5),
-                      sample_key(shot, x, y, 0).branch(radiance));
+                      radiance_key(shot, x, y, 0));
     });
     std::vector<Hit> found;
     for (const auto& [x, y] : tile_rays.pixels) found.push_back(hits(x, y));
     tile_rays.shade(Whitted(scene, needs, tracer), found, colour);
 }
 
-void antialias(const Scene& scene, const Shot& shot, const Needs& needs, Context& context,
-               ImageView<Rgb> colour) {
-    // The edges are found in the picture as it was, whatever the order of the tiles.
+Image<std::uint8_t> edges_of(ImageView<const Rgb> colour, Context& context) {
     Image<std::uint8_t> edges(colour.size());
     context.for_each_tile(colour.size(), [&](Tile tile, int) {
         for_each_pixel(tile, [&](int x, int y) { edges(x, y) = is_edge(colour, x, y) ? 1 : 0; });
     });
+    return edges;
+}
+
+void antialias(const Scene& scene, const Shot& shot, const Needs& needs, Context& context,
+               ImageView<Rgb> colour) {
+    // The edges are found in the picture as it was, whatever the order of the tiles.
+    const Image<std::uint8_t> edges = edges_of(colour, context);
     const Screen screen(shot.camera, shot.size);
-    constexpr std::array<Vec2d, 4> around{Vec2d{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
     context.for_each_tile(colour.size(), [&](Tile tile, int worker) {
         context.tracer(worker).counts().did(Part::anti_aliasing, tile.area());
         const Whitted whitted(scene, needs, context.tracer(worker));
         for_each_pixel(tile, [&](int x, int y) {
             if (edges(x, y) == 0) return;
             Rgb sum = colour(x, y);
-            for (int i = 0; i < 4; ++i) {
-                const Ray ray = screen.ray(x + 0.5 + around[i].x, y + 0.5 + around[i].y);
+            for (int i = 0; i < antialias_samples; ++i) {
+                const Vec2d& off = antialias_places[static_cast<std::size_t>(i)];
+                const Ray ray = screen.ray(x + 0.5 + off.x, y + 0.5 + off.y);
                 if (nowhere(ray)) continue;
-                const Key key = sample_key(shot, x, y, i + 1).branch(radiance);
+                const Key key = radiance_key(shot, x, y, i + 1);
                 sum += whitted.radiance(RayKind::primary, ray, key);
             }
-            colour(x, y) = sum / 5.0f;
+            colour(x, y) = sum / static_cast<float>(antialias_samples + 1);
         });
     });
 }

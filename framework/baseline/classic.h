@@ -6,6 +6,8 @@
 #include "framework/technique/technique.h"
 #include "framework/trace/whitted.h"
 
+#include <array>
+
 namespace luch {
 
 /// Fills a tile with the mean of all of a pixel's samples, hits found by tracing. Where there is no
@@ -17,6 +19,17 @@ void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
 /// item buffer…). Bit for bit what trace_tile() makes of the same hits.
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
                 Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour);
+
+/// The key of all that a sample's light depends on at random.
+Key radiance_key(const Shot& shot, int x, int y, int sample);
+
+/// Where the scene's own anti-aliasing takes its further samples, from the pixel's centre.
+inline constexpr int antialias_samples = 4;
+inline constexpr std::array<Vec2d, antialias_samples> antialias_places{
+    Vec2d{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
+
+/// 1 where it takes them, else 0.
+Image<std::uint8_t> edges_of(ImageView<const Rgb> colour, Context& context);
 
 /// The scene's own anti-aliasing, as the course has it: where a pixel or a neighbour differs from
 /// the mean of the five by more than 0.1 in a displayed channel, four more samples are taken around
