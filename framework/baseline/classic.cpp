@@ -87,8 +87,7 @@ void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
     TileRays tile_rays;
     for_each_pixel(tile, [&](int x, int y) {
         colour(x, y) = Rgb(0);
-        tile_rays.add(x, y, screen.ray(x + 0.5, y + 0.5),
-                      radiance_key(shot, x, y, 0));
+        tile_rays.add(x, y, screen.ray(x + 0.5, y + 0.5), radiance_key(shot, x, y, 0));
     });
     std::vector<Hit> found;
     for (const auto& [x, y] : tile_rays.pixels) found.push_back(hits(x, y));

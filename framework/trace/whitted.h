@@ -34,8 +34,8 @@ class Whitted {
  private:
     friend struct MaterialShader;
     [[nodiscard]] Rgb sky(const Ray& ray) const;
-    [[nodiscard]] Rgb shade_and_log(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth,
-                                    const Refraction* medium, ShadedParts* parts,
+    [[nodiscard]] Rgb shade_and_log(RayKind kind, const Ray& ray, const Hit& hit, Key key,
+                                    int depth, const Refraction* medium, ShadedParts* parts,
                                     std::size_t point) const;
 
     const Scene* scene_;
