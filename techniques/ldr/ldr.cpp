@@ -88,7 +88,7 @@ TechniqueInfo describe() {
             .topic = "2. LDR colour",
             .create = [] { return make(reference()); },
             .sweep = {"levels", levels_sweep, -1},
-            .resolution = 0.02f,
+            .resolution = resolution,
             .stress_cases = stress_cases};
 }
 

@@ -100,6 +100,10 @@ struct Params {
 /// The technique, made of these steps; each one's holes are filled by the reference.
 std::unique_ptr<Technique> make(const Steps& steps);
 
+/// By how much it may be off from the baseline, see TechniqueInfo::resolution: where the screen's
+/// levels are widest, near white, two of them.
+inline constexpr float resolution = 0.02f;
+
 /// Its parameter to walk along.
 extern const std::span<const double> levels_sweep;
 
