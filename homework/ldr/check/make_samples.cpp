@@ -19,7 +19,7 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 /// What a sample is like: its light lies about so high, its words have levels in that range, and
 /// some channels are no light at all.
 struct Taste {
-    float least = 0, most = 1;  ///< light, after exposure
+    float least = 0, most = 1;  ///< light, before exposure
     float exposure = 1;
     std::uint32_t lowest = 0, highest = 255;  ///< levels
     bool smooth = false;                      ///< ramps instead of noise
@@ -29,7 +29,7 @@ struct Taste {
 
 Taste taste_of(std::size_t index) {
     constexpr Taste tastes[] = {
-        {.smooth = true, .n = 3},
+        {.most = 2.2f, .exposure = 0.5f, .smooth = true, .n = 3},
         {.most = 1.2f, .exposure = 2, .wild = true, .n = 2},
         {.most = 3, .exposure = 0.25f, .lowest = 150, .wild = true, .n = 1},
         {.most = 0.1f, .exposure = 8, .highest = 90, .wild = true, .n = 64},
