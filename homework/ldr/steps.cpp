@@ -4,6 +4,7 @@
 #include "framework/technique/catalogue.h"
 #include "framework/technique/todo.h"
 #include "techniques/ldr/ldr.h"
+#include "techniques/ldr/stress.h"
 
 namespace luch::homework::ldr {
 namespace {
@@ -72,7 +73,8 @@ TechniqueInfo describe() {
             .topic = "2. LDR colour",
             .create = [] { return techniques::ldr::make(steps()); },
             .sweep = {"levels", techniques::ldr::levels_sweep, -1},
-            .resolution = techniques::ldr::resolution};
+            .resolution = techniques::ldr::resolution,
+            .stress_cases = techniques::ldr::stress_cases};
 }
 
 }  // namespace luch::homework::ldr
