@@ -5,6 +5,7 @@
 #include "framework/accel/embree_mesh.h"
 #include "framework/accel/mesh_bvh.h"
 #include "framework/accel/node_hit.h"
+#include "framework/accel/shape_packets.h"
 #include "framework/accel/shapes.h"
 #include "framework/accel/world.h"
 #include "framework/base/error.h"
@@ -17,7 +18,7 @@ namespace luch {
 namespace {
 
 /// The limit of a ray that looks for nothing, or that is blocked.
-constexpr float nothing = -std::numeric_limits<float>::infinity();
+constexpr float infinite = std::numeric_limits<float>::infinity(), nothing = -infinite;
 
 /// What the rays of a packet look for at first: hits before their t_max, when there can be any.
 void set_limits(const RayPacket& rays, float* limits) {
@@ -28,6 +29,31 @@ void set_limits(const RayPacket& rays, float* limits) {
     std::fill(limits + rays.count, limits + RayPacket::capacity, nothing);
 }
 
+/// No hits yet.
+void start(const RayPacket& rays, HitPacket& hits) {
+    set_limits(rays, hits.t);
+    std::fill(hits.u, hits.u + RayPacket::capacity, 0.0f);
+    std::fill(hits.v, hits.v + RayPacket::capacity, 0.0f);
+    std::fill(hits.node, hits.node + RayPacket::capacity, no_node);
+    std::fill(hits.primitive, hits.primitive + RayPacket::capacity, 0u);
+}
+
+/// Improves the hits of a packet, by nearer(), with what it met of a node.
+void keep_nearer(const wide::ShapeHits& met, int count, NodeId node, HitPacket& hits) {
+    for (int i = 0; i < count; ++i) {
+        const float t = met.t[i], best = hits.t[i];
+        const std::uint32_t primitive = hits.primitive[i], face = met.face[i];
+        const NodeId other = hits.node[i];
+        const bool lower = (node < other) | ((node == other) & (face < primitive));
+        const bool better = (t < infinite) & ((t < best) | ((t == best) & lower));
+        hits.t[i] = better ? t : best;
+        hits.u[i] = better ? 0 : hits.u[i];
+        hits.v[i] = better ? 0 : hits.v[i];
+        hits.node[i] = better ? node : other;
+        hits.primitive[i] = better ? face : primitive;
+    }
+}
+
 /// Index searches the triangles of a mesh: MeshBvh, or EmbreeMesh.
 template <class Index>
 class BvhAccelerator final : public Accelerator {
@@ -35,6 +61,7 @@ class BvhAccelerator final : public Accelerator {
     BvhAccelerator(const Scene& scene, Isa isa, bool skip)
         : scene_(&scene),
           meshes_(scene.geometries.size()),
+          kernels_(&wide::kernels(isa)),
           world_(scene, isa, skip),
           moved_(!skip || census_of(scene).moved > 0) {
         for (std::size_t i = 0; i < meshes_.size(); ++i) {
@@ -63,23 +90,20 @@ class BvhAccelerator final : public Accelerator {
         return static_cast<bool>(best);
     }
 
+    void improve(NodeId node, const RayPacket& rays, HitPacket& hits,
+                 WorkCounts& work) const override {
+        HitPacket found;
+        start(rays, found);
+        improve_with_node(node, rays, found, work);
+        for (int i = 0; i < rays.count; ++i) {
+            const Hit hit = found.hit(i);
+            if (hit && nearer(hit, hits.hit(i))) hits.set(i, hit);
+        }
+    }
+
     void closest(const RayPacket& rays, HitPacket& hits, WorkCounts& work) const override {
-        set_limits(rays, hits.t);
-        std::fill(hits.u, hits.u + RayPacket::capacity, 0.0f);
-        std::fill(hits.v, hits.v + RayPacket::capacity, 0.0f);
-        std::fill(hits.node, hits.node + RayPacket::capacity, no_node);
-        std::fill(hits.primitive, hits.primitive + RayPacket::capacity, 0u);
-        auto visit = [&](NodeId id) {
-            if (const auto& mesh = meshes_[scene_->nodes[id].geometry]) {
-                mesh->closest(rays, scene_->nodes[id], id, hits, work);
-                return;
-            }
-            for (int i = 0; i < rays.count; ++i) {
-                if (hits.t[i] == nothing || !is_sound(rays.ray(i))) continue;
-                Hit best = hits.hit(i);
-                if (improve_with_node(id, rays.ray(i), false, best, work)) hits.set(i, best);
-            }
-        };
+        start(rays, hits);
+        auto visit = [&](NodeId id) { improve_with_node(id, rays, hits, work); };
         const bool finished = world_.visit(rays, hits.t, visit, work);
         for (int i = 0; i < rays.count; ++i) {
             if (!finished && hits.t[i] != nothing) {
@@ -88,7 +112,7 @@ class BvhAccelerator final : public Accelerator {
                 hits.set(i, best);
             }
             const float t = hits.t[i];
-            hits.t[i] = hits.node[i] == no_node ? std::numeric_limits<float>::infinity() : t;
+            hits.t[i] = hits.node[i] == no_node ? infinite : t;
         }
     }
 
@@ -99,6 +123,13 @@ class BvhAccelerator final : public Accelerator {
         auto visit = [&](NodeId id) {
             if (const auto& mesh = meshes_[scene_->nodes[id].geometry]) {
                 mesh->occluded(rays, scene_->nodes[id], limits, work);
+                return;
+            }
+            wide::ShapeHits met;
+            if (meets(id, rays, limits, met, work)) {
+                for (int i = 0; i < rays.count; ++i) {
+                    limits[i] = met.t[i] < infinite ? nothing : limits[i];
+                }
                 return;
             }
             for (int i = 0; i < rays.count; ++i) {
@@ -136,6 +167,35 @@ class BvhAccelerator final : public Accelerator {
         world_.visit(ray, best.t, visit, work);
     }
 
+    /// A whole packet with a plane, sphere or cube; false for other nodes.
+    bool meets(NodeId id, const RayPacket& rays, const float* limits, wide::ShapeHits& met,
+               WorkCounts& work) const {
+        const Node& node = scene_->nodes[id];
+        const Transform* const to_object = moved_ ? &node.to_object : nullptr;
+        if (!meet(scene_->geometries[node.geometry], to_object, rays, *kernels_, met)) return false;
+        for (int i = 0; i < rays.count; ++i) work.primitives += limits[i] != nothing ? 1 : 0;
+        return true;
+    }
+
+    void improve_with_node(NodeId id, const RayPacket& rays, HitPacket& hits,
+                           WorkCounts& work) const {
+        const Node& node = scene_->nodes[id];
+        if (const auto& mesh = meshes_[node.geometry]) {
+            mesh->closest(rays, node, id, hits, work);
+            return;
+        }
+        wide::ShapeHits met;
+        if (meets(id, rays, hits.t, met, work)) {
+            keep_nearer(met, rays.count, id, hits);
+            return;
+        }
+        for (int i = 0; i < rays.count; ++i) {
+            if (hits.t[i] == nothing || !is_sound(rays.ray(i))) continue;
+            Hit best = hits.hit(i);
+            if (improve_with_node(id, rays.ray(i), false, best, work)) hits.set(i, best);
+        }
+    }
+
     bool improve_with_node(NodeId id, const Ray& ray, bool any, Hit& best, WorkCounts& work) const {
         const Node& node = scene_->nodes[id];
         const Ray object = moved_ ? to_object(ray, node) : ray;
@@ -156,6 +216,7 @@ class BvhAccelerator final : public Accelerator {
 
     const Scene* scene_;
     std::vector<std::optional<Index>> meshes_;  ///< by geometry
+    const wide::Kernels* kernels_;
     World world_;
     bool moved_;  ///< some node stands elsewhere than its geometry says
 };

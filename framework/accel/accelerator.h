@@ -41,6 +41,9 @@ class Accelerator {
     virtual void closest(const RayPacket& rays, HitPacket& hits, WorkCounts& work) const = 0;
     virtual void occluded(const RayPacket& rays, std::span<std::uint8_t> blocked,
                           WorkCounts& work) const = 0;
+    /// Improves hits of a packet, by nearer(), with one node only.
+    virtual void improve(NodeId node, const RayPacket& rays, HitPacket& hits,
+                         WorkCounts& work) const = 0;
     /// Memory held, in bytes.
     virtual std::uint64_t bytes() const = 0;
 };

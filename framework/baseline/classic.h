@@ -6,9 +6,23 @@
 #include "framework/technique/technique.h"
 #include "framework/trace/whitted.h"
 
+#include <algorithm>
 #include <array>
 
 namespace luch {
+
+/// Calls work(x, y) for a tile's pixels in the order of packets: blocks of 4 × 4, row by row.
+template <class Work>
+void for_each_pixel(const Tile& tile, Work&& work) {
+    constexpr int block = 4;
+    for (int y0 = tile.y0; y0 < tile.y1; y0 += block) {
+        for (int x0 = tile.x0; x0 < tile.x1; x0 += block) {
+            for (int y = y0; y < std::min(y0 + block, tile.y1); ++y) {
+                for (int x = x0; x < std::min(x0 + block, tile.x1); ++x) work(x, y);
+            }
+        }
+    }
+}
 
 /// Fills a tile with the mean of all of a pixel's samples, hits found by tracing. Where there is no
 /// ray it is black.
@@ -19,6 +33,12 @@ void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
 /// item buffer…). Bit for bit what trace_tile() makes of the same hits.
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
                 Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour);
+
+/// The same when rays and hits are in packets, in the order of for_each_pixel(); the tile has no
+/// more pixels than a packet rays.
+void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
+                Tracer& tracer, const RayPacket& rays, const HitPacket& hits,
+                ImageView<Rgb> colour);
 
 /// The key of all that a sample's light depends on at random.
 Key radiance_key(const Shot& shot, int x, int y, int sample);

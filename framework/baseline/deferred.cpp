@@ -1,7 +1,5 @@
 #include "framework/baseline/deferred.h"
 
-#include "framework/baseline/blocks.h"
-
 namespace luch {
 
 void DeferredPixels::clear() {

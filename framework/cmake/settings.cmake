@@ -20,7 +20,7 @@ option(LUCH_WERROR "Warnings are errors" ON)
 set(LUCH_SANITIZE "" CACHE STRING "-fsanitize= list, for example address,undefined")
 
 # Contraction alone made the watertight triangle test leak; fast math is ruled out for good.
-add_compile_options(-Wall -Wextra -Wshadow -ffp-contract=off)
+add_compile_options(-Wall -Wextra -Wshadow -ffp-contract=off -fno-math-errno)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   add_compile_options(-Wno-restrict)  # warns of the standard library's own strings (GCC bug 105329)
 endif()

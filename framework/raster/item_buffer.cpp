@@ -13,6 +13,8 @@ namespace {
 
 using namespace raster;
 
+constexpr float infinite = std::numeric_limits<float>::infinity();
+
 const Kernels& kernels_of(Isa isa) {
 #if defined(LUCH_X86_64_LEVELS)
     if (isa == Isa::v2) return kernels_v2();
@@ -21,6 +23,16 @@ const Kernels& kernels_of(Isa isa) {
 #endif
     static_cast<void>(isa);
     return kernels_plain();
+}
+
+/// Asks for the 256 items of a tile, which is soon to be resolved.
+void fetch(const std::uint32_t* items) {
+#if defined(__GNUC__)
+    constexpr int of_line = 16;
+    for (int i = 0; i < RayPacket::capacity; i += of_line) __builtin_prefetch(items + i);
+#else
+    static_cast<void>(items);
+#endif
 }
 
 }  // namespace
@@ -111,20 +123,31 @@ Tile ItemBuffer::tile(int i) const {
 
 RayPacket ItemBuffer::rays(int index) const {
     const Tile at = tile(index);
-    RayPacket rays;
-    for (int k = 0; k < RayPacket::capacity; ++k) {
-        const int x = at.x0 + x_in_tile(k), y = at.y0 + y_in_tile(k);
-        const Ray ray = state_->screen->ray(x + state_->offset.x, y + state_->offset.y);
-        rays.origin = ray.origin;
-        rays.t_min = ray.t_min;
-        const bool inside = x < at.x1 && y < at.y1;
-        rays.add(ray.direction, inside ? ray.t_max : -std::numeric_limits<float>::infinity());
+    const Screen& screen = *state_->screen;
+    double column[tile_side], row[tile_side];
+    for (int i = 0; i < tile_side; ++i) {
+        column[i] = screen.across(at.x0 + i + state_->offset.x);
+        row[i] = screen.upwards(at.y0 + i + state_->offset.y);
     }
+    double sx[RayPacket::capacity], sy[RayPacket::capacity];
+    RayPacket rays;
+    for (int k = 0; k < RayPacket::capacity; k += 4) {
+        const int x = x_in_tile(k), y = y_in_tile(k);
+        for (int i = 0; i < 4; ++i) {
+            sx[k + i] = column[x + i];
+            sy[k + i] = row[y];
+            rays.t_max[k + i] = x + i < at.width() && y < at.height() ? infinite : -infinite;
+        }
+    }
+    rays.origin = screen.eye();
+    rays.count = RayPacket::capacity;
+    screen.directions(sx, sy, rays.x, rays.y, rays.z);
     return rays;
 }
 
 int ItemBuffer::resolve(int tile, const RayPacket& rays, HitPacket& hits) const {
     const std::uint32_t* items = state_->frame.items.data() + state_->items_of(tile);
+    if (tile + 1 < tile_count()) fetch(state_->frame.items.data() + state_->items_of(tile + 1));
     const Kernels& kernels = *state_->kernels;
     const Survey all = kernels.survey(items);
     if (all.lowest == no_item) {

@@ -65,28 +65,59 @@ Screen::Screen(const Camera& camera, Size size)
 }
 
 Ray Screen::ray(double x_px, double y_px) const {
-    return ray(x_px, y_px, Vec2d(0));
+    const double sx = across(x_px), sy = upwards(y_px);
+    if (projection_ == Projection::orthographic) {
+        return {eye_ + sx * right_ + sy * up_, forward_};
+    }
+    return {eye_, direction(sx, sy)};
 }
 
 Ray Screen::ray(double x_px, double y_px, const Vec2d& lens) const {
-    const double sx = (2 * x_px / size_.width - 1) * half_width_;
-    const double sy = (1 - 2 * y_px / size_.height) * half_height_;
+    if (lens_radius_ == 0) return ray(x_px, y_px);
+    // The point in focus is focal · (forward + sx·right + sy·up); seen from the lens, and divided
+    // by the focal distance.
+    const Vec3d aside = lens_radius_ * (lens.x * right_ + lens.y * up_);
+    const Vec3d to_focus =
+        forward_ + across(x_px) * right_ + upwards(y_px) * up_ - aside / focal_distance_;
+    return {eye_ + aside, glm::normalize(to_focus)};
+}
+
+Vec3d Screen::direction(double sx, double sy) const {
     switch (projection_) {
-        case Projection::perspective: {
-            // The point in focus is focal · (forward + sx·right + sy·up); seen from the lens, and
-            // divided by the focal distance, so that a lens of radius 0 changes no bit.
-            const Vec3d aside = lens_radius_ * (lens.x * right_ + lens.y * up_);
-            const Vec3d to_focus = forward_ + sx * right_ + sy * up_ - aside / focal_distance_;
-            return {eye_ + aside, glm::normalize(to_focus)};
-        }
+        case Projection::perspective:
+            return glm::normalize(forward_ + sx * right_ + sy * up_);
         case Projection::fisheye:
-            return {eye_, fisheye_direction(sx, sy)};
+            return fisheye_direction(sx, sy);
         case Projection::spherical:
-            return {eye_, spherical_direction(sx, sy)};
+            return spherical_direction(sx, sy);
         case Projection::orthographic:
-            return {eye_ + sx * right_ + sy * up_, forward_};
+            return forward_;
     }
     return {};
+}
+
+void Screen::directions(std::span<const double> sx, std::span<const double> sy, double* x,
+                        double* y, double* z) const {
+    if (projection_ != Projection::perspective) {
+        for (std::size_t i = 0; i < sx.size(); ++i) {
+            const Vec3d one = direction(sx[i], sy[i]);
+            x[i] = one.x;
+            y[i] = one.y;
+            z[i] = one.z;
+        }
+        return;
+    }
+    // The operations of direction(); copies, as nothing that is written can change them.
+    const Vec3d f = forward_, r = right_, u = up_;
+    for (std::size_t i = 0; i < sx.size(); ++i) {
+        const double dx = f.x + sx[i] * r.x + sy[i] * u.x;
+        const double dy = f.y + sx[i] * r.y + sy[i] * u.y;
+        const double dz = f.z + sx[i] * r.z + sy[i] * u.z;
+        const double scale = 1 / std::sqrt(dx * dx + dy * dy + dz * dz);
+        x[i] = dx * scale;
+        y[i] = dy * scale;
+        z[i] = dz * scale;
+    }
 }
 
 Vec3d Screen::fisheye_direction(double sx, double sy) const {

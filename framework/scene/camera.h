@@ -5,6 +5,7 @@
 #include "framework/math/transform.h"
 
 #include <optional>
+#include <span>
 
 namespace luch {
 
@@ -67,6 +68,20 @@ class Screen {
     /// bit.
     [[nodiscard]] Ray ray(double x_px, double y_px, const Vec2d& lens) const;
 
+    /// A point of the frame in the units of half_width() and half_height(): to the right and up.
+    [[nodiscard]] double across(double x_px) const {
+        return (2 * x_px / size_.width - 1) * half_width_;
+    }
+    [[nodiscard]] double upwards(double y_px) const {
+        return (1 - 2 * y_px / size_.height) * half_height_;
+    }
+    /// The directions of rays through many points, across(x_px) in `sx` and upwards(y_px) in `sy`:
+    /// bit for bit those of ray(x_px, y_px), but some at once.
+    void directions(std::span<const double> sx, std::span<const double> sy, double* x, double* y,
+                    double* z) const;
+    /// Whether ray(x_px, y_px) always starts in eye().
+    [[nodiscard]] bool one_eye() const { return projection_ != Projection::orthographic; }
+
     /// World to camera space: x right, y up, z forward, in the world's units.
     [[nodiscard]] Vec3d to_view(const Vec3d& world) const;
 
@@ -83,6 +98,7 @@ class Screen {
     [[nodiscard]] double half_height() const { return half_height_; }
 
  private:
+    [[nodiscard]] Vec3d direction(double sx, double sy) const;
     [[nodiscard]] Vec3d fisheye_direction(double sx, double sy) const;
     [[nodiscard]] Vec3d spherical_direction(double sx, double sy) const;
     [[nodiscard]] std::optional<Vec2d> on_screen(const Vec3d& view) const;

@@ -1,5 +1,6 @@
 #include "framework/trace/tracer.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace luch {
@@ -15,6 +16,12 @@ bool go_together(std::span<const Ray> rays) {
         if (ray.origin != rays[0].origin || ray.t_min != rays[0].t_min) return false;
     }
     return true;
+}
+
+/// How many of a packet's entries look for something.
+std::uint64_t count_of(const RayPacket& rays) {
+    return static_cast<std::uint64_t>(std::count_if(
+        rays.t_max, rays.t_max + rays.count, [&](float t_max) { return t_max > rays.t_min; }));
 }
 
 /// Fills packets with rays that go together, in their order; calls work(first ray, how many).
@@ -60,6 +67,17 @@ Hit Tracer::closest(RayKind kind, const Ray& ray) {
     return hit;
 }
 
+void Tracer::closest(RayKind kind, const RayPacket& rays, HitPacket& hits) {
+    counts_.of(kind) += count_of(rays);
+    accelerator_->closest(rays, hits, counts_.work);
+    if (log_ == nullptr) return;
+    for (int i = 0; i < rays.count; ++i) {
+        const Ray ray = rays.ray(i);
+        const Hit hit = hits.hit(i);
+        if (ray.t_max > ray.t_min) log_->closest(kind, {&ray, 1}, {&hit, 1});
+    }
+}
+
 void Tracer::occluded(RayKind kind, std::span<const Ray> rays, std::span<std::uint8_t> blocked) {
     assert(rays.size() == blocked.size());
     counts_.of(kind) += rays.size();
@@ -93,6 +111,11 @@ void Tracer::test(std::span<const NodeId> nodes, std::span<const Ray> rays, std:
             log_->closest(RayKind::primary, rays.subspan(i, 1), hits.subspan(i, 1));
         }
     }
+}
+
+void Tracer::test(NodeId node, const RayPacket& rays, HitPacket& hits) {
+    counts_.object_tests += count_of(rays);
+    accelerator_->improve(node, rays, hits, counts_.work);
 }
 
 void Tracer::record_shadows(RayKind kind, std::span<const Ray> rays,

@@ -17,6 +17,9 @@ class Tracer {
     /// each sixteen of them are neighbours: blocks of 4 × 4 pixels. The answers are the same.
     void closest(RayKind kind, std::span<const Ray> rays, std::span<Hit> hits);
     [[nodiscard]] Hit closest(RayKind kind, const Ray& ray);
+    /// The same for rays that are in a packet already. Those whose t_max does not exceed t_min look
+    /// for nothing and are no rays.
+    void closest(RayKind kind, const RayPacket& rays, HitPacket& hits);
 
     /// 1 where anything lies between t_min and t_max, else 0.
     void occluded(RayKind kind, std::span<const Ray> rays, std::span<std::uint8_t> blocked);
@@ -25,6 +28,9 @@ class Tracer {
     /// Rays against one given node each, without a search: object tests, not rays. A ray whose node
     /// is no_node misses and costs nothing.
     void test(std::span<const NodeId> nodes, std::span<const Ray> rays, std::span<Hit> hits);
+
+    /// The rays of a packet against one node: improves `hits`, by nearer(). Not recorded.
+    void test(NodeId node, const RayPacket& rays, HitPacket& hits);
 
     [[nodiscard]] Counts& counts() { return counts_; }
 

@@ -9,9 +9,8 @@
 
 namespace luch::techniques::vista {
 
-/// What exact mode writes of a frame.
+/// What exact mode shows of a frame.
 struct ExactPlanes {
-    ImageView<Hit> hits;
     ImageView<NodeId> ids;
     ImageView<std::uint32_t> triangles;  ///< of meshes; else no_node
     ImageView<std::uint8_t> fell_back;
@@ -32,13 +31,16 @@ class ExactBuffer {
     /// pixel.
     void draw(const Shot& shot, int segments, bool stand_ins, Context& context);
 
-    /// Fills a tile that lies in one of Context's tiles.
-    void look_up(Tile tile, Tracer& tracer, const ExactPlanes& planes) const;
+    /// Finds the hits of a tile that lies in one of Context's tiles: rays and hits in the order of
+    /// for_each_pixel(), as shade_tile() wants them.
+    void look_up(Tile tile, Tracer& tracer, const ExactPlanes& planes, RayPacket& rays,
+                 HitPacket& hits) const;
 
     [[nodiscard]] const Hulls& hulls() const { return hulls_; }
 
  private:
     const Scene* scene_ = nullptr;
+    std::vector<bool> is_mesh_;  ///< of a node; empty: all are
     std::optional<Screen> screen_;
     std::optional<ItemBuffer> meshes_, fronts_;
     Hulls hulls_;

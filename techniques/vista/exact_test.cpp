@@ -27,8 +27,9 @@ std::unique_ptr<Technique> exact(const std::vector<std::string>& params = {}) {
     return technique;
 }
 
+/// With the buffer, whether it pays or not.
 Outcome rendered(const OwnStudio& studio, const std::vector<std::string>& params = {},
-                 const Budget& budget = {}) {
+                 const Budget& budget = {.forced = {"item buffer"}}) {
     return studio.render(*exact(params), budget);
 }
 
@@ -204,13 +205,38 @@ TEST(VistaExact, SaysWhenItDoesNotPayAndTracesThen) {
     scene.settings.frame = {32, 24};
     add_shape(scene, testing::uv_sphere(65, 64, 1), Transform::translation({0, 0, 3}));
     const OwnStudio studio(std::move(scene));
-    const Outcome outcome = rendered(studio);
+    const Outcome outcome = rendered(studio, {}, {});
     EXPECT_FALSE(stage_of(outcome.plan, "item buffer").needed);
     EXPECT_THAT(outcome.plan.why, ::testing::StartsWith("does not pay: 11 triangles a pixel"));
     EXPECT_EQ(outcome.counts.of(RayKind::primary), 32u * 24u);
-    const Outcome forced = rendered(studio, {}, {.forced = {"item buffer"}});
+    const Outcome forced = rendered(studio);
     EXPECT_LT(forced.counts.of(RayKind::primary), 32u * 24u);
     EXPECT_EQ(different_pixels(outcome, forced), 0u);
+}
+
+TEST(VistaExact, DoesNotPayWhereNodesAreNoMeshes) {
+    const OwnStudio studio(testing::sixty_spheres());
+    const Plan plan = exact()->plan(studio.scene(), shot_of(studio.scene()));
+    EXPECT_FALSE(stage_of(plan, "item buffer").needed);
+    EXPECT_THAT(plan.why, ::testing::HasSubstr("60 nodes are no meshes"));
+}
+
+/// The lecture's bound. Around the eye all is wall, and each point of it asks for its light.
+TEST(VistaExact, SavesNoMoreThanHalfOfTheRaysInAClosedScene) {
+    Scene scene = testing::empty_scene();
+    add_shape(scene, Cube{.side = 10});
+    add_shape(scene, Sphere{.centre = {1, 1, 3}, .radius = 0.5});
+    scene.lights.emplace_back(PointLight{.position = {0, 2, 0}});
+    const OwnStudio studio(std::move(scene));
+    const Outcome truth = studio.render(*baseline::describe().create());
+    const Outcome outcome = rendered(studio);
+    const std::uint64_t pixels = outcome.frame.size().area();
+    EXPECT_EQ(truth.counts.of(RayKind::primary), pixels);
+    EXPECT_EQ(outcome.counts.of(RayKind::shadow), truth.counts.of(RayKind::shadow));
+    const std::uint64_t saved = truth.counts.all_rays() - outcome.counts.all_rays();
+    EXPECT_GT(saved, pixels * 9 / 10);
+    EXPECT_LE(static_cast<double>(saved), 0.505 * static_cast<double>(truth.counts.all_rays()))
+        << "only the sphere's dark side needs no shadow rays";
 }
 
 TEST(VistaExact, LeavesOutStandInsWhereAllIsMadeOfTriangles) {

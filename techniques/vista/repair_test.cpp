@@ -28,7 +28,8 @@ const OwnStudio& spheres() {
 const Image<NodeId>& truth() {
     static const Image<NodeId> ids = [] {
         const auto technique = make(reference(), Mode::exact);
-        return plane_of<NodeId>(spheres().render(*technique), "ids");
+        return plane_of<NodeId>(spheres().render(*technique, Budget{.forced = {"item buffer"}}),
+                                "ids");
     }();
     return ids;
 }

@@ -44,7 +44,6 @@ class Vista : public Technique {
     }
 
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
-        if (hits_.size() != shot.size) hits_ = Image<Hit>(shot.size);
         const Needs needs = needs_of(context.plan());
         if (Mode(params_.mode) == Mode::classic) {
             render_classic(scene, shot, needs, frame, context);
@@ -63,6 +62,7 @@ class Vista : public Technique {
  private:
     void render_classic(const Scene& scene, const Shot& shot, const Needs& needs, Frame& frame,
                         Context& context) {
+        if (hits_.size() != shot.size) hits_ = Image<Hit>(shot.size);
         const Screen screen(shot.camera, shot.size);
         buffer_.collect(scene, shot, params_, context);
         const auto farthest = static_cast<float>(buffer_.farthest_depth());
@@ -82,7 +82,7 @@ class Vista : public Technique {
                       Context& context) {
         exact_.draw(shot, asked_segments(params_), context.plan().needed("stand-ins"), context);
         const ExactPlanes planes{
-            hits_.view(), frame.plane<NodeId>("ids", PlaneKind::id).view(),
+            frame.plane<NodeId>("ids", PlaneKind::id).view(),
             frame.plane<std::uint32_t>("triangles", PlaneKind::id).view(),
             frame.plane<std::uint8_t>("fallbacks", PlaneKind::mask).view(),
             frame.plane<float>("lod", PlaneKind::scalar, "segments", 0, 64).view()};
@@ -90,9 +90,11 @@ class Vista : public Technique {
         context.for_each_tile(shot.size, [&](Tile tile, int worker) {
             Tracer& tracer = context.tracer(worker);
             const std::uint64_t before = tracer.counts().fallbacks;
-            exact_.look_up(tile, tracer, planes);
+            RayPacket rays;
+            HitPacket hits;
+            exact_.look_up(tile, tracer, planes, rays, hits);
             searched += tracer.counts().fallbacks - before;
-            shade_tile(scene, shot, tile, needs, tracer, hits_.view(), frame.colour.view());
+            shade_tile(scene, shot, tile, needs, tracer, rays, hits, frame.colour.view());
         });
         context.did("item buffer", shot.size.area() - searched, "pixels");
         context.did("stand-ins", exact_.hulls().node_of.size(), "hulls");

@@ -1,5 +1,6 @@
 #include "framework/accel/wide/kernels.h"
 #include "framework/accel/wide/packet_search.h"
+#include "framework/accel/wide/shape_packet.h"
 #include "framework/accel/wide/split_kernel.h"
 
 #include <cstring>
@@ -116,8 +117,9 @@ void occluded_packet(const Tree& tree, const Transform& to_object, const RayPack
 #define LUCH_NAME(level) LUCH_NAME_OF(level)
 
 const Kernels& LUCH_NAME(LUCH_LEVEL)() {
-    static constexpr Kernels all{closest,         occluded, walk,       closest_packet,
-                                 occluded_packet, range_of, split_range};
+    static constexpr Kernels all{closest,         occluded,   walk,        closest_packet,
+                                 occluded_packet, meet_plane, meet_sphere, meet_cube,
+                                 range_of,        split_range};
     return all;
 }
 

@@ -10,6 +10,19 @@
 
 namespace luch::wide {
 
+/// The rays of a packet as a shape sees them.
+struct ShapeRays {
+    const RayPacket* packet;
+    const Transform* to_object;  ///< null: the shape stands as its geometry says
+    Vec3d origin;                ///< in the shape's coordinates, as shape_ray() makes it
+};
+
+/// What they meet, as intersect() of shapes.h says: t is infinite where that is nothing.
+struct ShapeHits {
+    alignas(64) float t[RayPacket::capacity];
+    alignas(64) std::uint32_t face[RayPacket::capacity];  ///< of no meaning where nothing is met
+};
+
 /// The searches through a tree, compiled for one level of the processor. All levels give the same
 /// bits; see kernel.cpp.
 struct Kernels {
@@ -29,6 +42,9 @@ struct Kernels {
     /// `limits` (of RayPacket::capacity, aligned to 64 bytes) becomes −∞ where a ray is blocked.
     void (*occluded_packet)(const Tree&, const Transform& to_object, const RayPacket&,
                             float* limits, WorkCounts&);
+    void (*meet_plane)(const Plane&, const ShapeRays&, ShapeHits&);
+    void (*meet_sphere)(const Sphere&, const ShapeRays&, ShapeHits&);
+    void (*meet_cube)(const Cube&, const ShapeRays&, ShapeHits&);
     /// For the builder, see split_kernel.h: bounds of `count` refs; a range in two, neither empty.
     Range (*range_of)(const Ref* refs, std::uint32_t count);
     void (*split)(Ref* refs, const Range&, bool by_count, Range& left, Range& right);
