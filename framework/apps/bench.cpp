@@ -15,7 +15,9 @@ struct Part {
     std::string_view inputs;  ///< what it needs, "" when nothing
 };
 constexpr Part parts[] = {{"rays", bench_rays, "meshes: .obj files, or bumpy"},
+#ifdef LUCH_ITEM_BUFFER
                           {"raster", bench_raster, "meshes: .obj files, or bumpy"},
+#endif
                           {"mix", bench_mix, ""},
                           {"frame", bench_frame, "scene files"}};
 

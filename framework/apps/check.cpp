@@ -114,6 +114,7 @@ class Check final : public Verb {
         if (arguments_.mutants) words.emplace_back("--mutants");
         if (arguments_.variants) words.emplace_back("--variants");
         if (arguments_.regenerate) words.emplace_back("--regenerate");
+        if (arguments_.handout) words.emplace_back("--handout");
         if (arguments_.yes) words.emplace_back("--yes");
         return words;
     }

@@ -10,7 +10,9 @@ void CheckArguments::declare(Arguments& arguments) {
     arguments.flag("--mutants", mutants, "check the tests: every known mistake must be found");
     arguments.flag("--variants", variants, "check the tests: every honest solution must pass");
     arguments.flag("--regenerate", regenerate,
-                   "say which stored reference outputs would change; with --yes, write them");
+                   "say which stored reference outputs would change, and show it (FLIP); "
+                   "with --yes, write them");
+    arguments.flag("--handout", handout, "make the pictures of the handout again");
     arguments.flag("--yes", yes, "with --regenerate: overwrite");
 }
 
@@ -19,7 +21,10 @@ std::string_view CheckArguments::examples() {
            "  luch check vista --task vista.t3     only one task\n"
            "  luch check vista --seed 7            also on three scenes that nobody has seen\n"
            "  luch check vista --json report.json  for a machine to read\n"
-           "  luch check --mutants vista           are all known mistakes found?\n";
+           "  luch check --mutants vista           are all known mistakes found?\n"
+           "  luch check vista --regenerate        would the reference outputs change?\n"
+           "  luch check vista --handout           the handout's pictures, "
+           "homework/vista/pictures\n";
 }
 
 }  // namespace luch

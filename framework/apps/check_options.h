@@ -8,7 +8,7 @@ namespace luch {
 /// same.
 struct CheckArguments {
     std::string topic, seed, json, task;
-    bool mutants = false, variants = false, regenerate = false, yes = false;
+    bool mutants = false, variants = false, regenerate = false, yes = false, handout = false;
 
     void declare(Arguments& arguments);
     static std::string_view summary() {

@@ -4,6 +4,10 @@
 #include "framework/apps/progress.h"
 #include "framework/base/error.h"
 #include "framework/grading/check.h"
+#include "framework/image/io.h"
+#include "framework/measure/difference.h"
+#include "framework/measure/flip.h"
+#include "framework/measure/magma.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +21,24 @@ using namespace grading;
 
 constexpr double rounding = 1e-9;
 
+/// A reference picture as it was, as it would be, and what an eye would see between the two, in
+/// out/regenerate/balls.named/{old,new,flip}.png.
+void show_change(const std::filesystem::path& file, const Image<Rgb>& old, const Image<Rgb>& made) {
+    const auto displayed = [](Image<Rgb> image) {
+        for (Rgb& pixel : image.pixels()) pixel = srgb_encoded(pixel);
+        return image;
+    };
+    const FlipResult flip = flip_ldr(displayed(old).view(), displayed(made).view());
+    const std::filesystem::path folder =
+        std::filesystem::path("out/regenerate") /
+        (file.parent_path().filename().string() + "." + file.stem().string());
+    std::filesystem::create_directories(folder);
+    write_picture(folder / "old.png", old.view());
+    write_picture(folder / "new.png", made.view());
+    write_displayed(folder / "flip.png", in_magma(flip.map.view()).view());
+    fmt::print("  FLIP {:.3g}: {}/{{old,new,flip}}.png\n", flip.mean, folder.string());
+}
+
 class CheckProgram final : public Verb {
  public:
     explicit CheckProgram(const Checker& checker) : checker_(checker) {}
@@ -26,6 +48,7 @@ class CheckProgram final : public Verb {
     void declare(Arguments& arguments) override { arguments_.declare(arguments); }
     int run() override {
         if (arguments_.regenerate) return regenerate();
+        if (arguments_.handout) return make_handout();
         const std::optional<std::uint64_t> seed = parsed_seed();
         Homework homework = checker_.make(LUCH_SOURCE_DIR, seed);
         keep_only(homework, arguments_.task);
@@ -63,6 +86,12 @@ class CheckProgram final : public Verb {
 
     int check_the_tests(const Homework& homework) const {
         bool fine = true;
+        if ((arguments_.mutants && homework.mutants.empty()) ||
+            (arguments_.variants && homework.variants.empty())) {
+            throw Error(
+                "--mutants, --variants: they are made from the reference steps, which are "
+                "not part of this tree");
+        }
         if (arguments_.mutants) {
             const Matrix matrix = kill_matrix(homework, {});
             fine = all_killed(matrix);
@@ -84,13 +113,28 @@ class CheckProgram final : public Verb {
         if (checker_.regenerate == nullptr) {
             throw Error("--regenerate: the reference steps are not part of this tree");
         }
-        const int changed =
-            checker_.regenerate(LUCH_SOURCE_DIR, arguments_.yes,
-                                [](const std::string& line) { fmt::print("{}\n", line); });
+        const int changed = checker_.regenerate(
+            LUCH_SOURCE_DIR, {.consent = arguments_.yes,
+                              .say = [](const std::string& line) { fmt::print("{}\n", line); },
+                              .show = show_change});
         if (changed == 0) fmt::print("nothing has changed\n");
         if (changed == 0 || arguments_.yes) return 0;
         fmt::print("{} files would be written; add --yes to do so\n", changed);
         return 1;
+    }
+
+    int make_handout() const {
+        if (checker_.handout == nullptr) {
+            throw Error("--handout: the reference steps are not part of this tree");
+        }
+        const std::filesystem::path folder =
+            std::filesystem::path(LUCH_SOURCE_DIR) / "homework" / checker_.topic / "pictures";
+        std::filesystem::create_directories(folder);
+        for (const NamedPicture& picture : checker_.handout(LUCH_SOURCE_DIR)) {
+            write_picture(folder / (picture.name + ".png"), picture.pixels.view());
+            fmt::print("{}\n", (folder / (picture.name + ".png")).string());
+        }
+        return 0;
     }
 
     Checker checker_;

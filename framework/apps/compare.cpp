@@ -218,7 +218,7 @@ void Compare::report_costs(const Side& a, const Side& b) const {
         row.push_back(grouped(outcome.counts.fallbacks));
         table.add(std::move(row));
         for (const std::string& task : outcome.unwritten) {
-            fmt::print("{}: {} is still to be written; the reference stood in\n", side->name, task);
+            fmt::print("{}: {} is still to be written; what stood in is not yours\n", side->name, task);
         }
     }
     fmt::print("{}\n", table.text());

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
     verbs.push_back(luch::make_view());
     verbs.push_back(luch::make_bench());
     verbs.push_back(luch::make_check());
+    verbs.push_back(luch::make_kit());
     verbs.push_back(luch::make_doctor());
     return luch::dispatch(argc, argv, verbs);
 }

@@ -85,7 +85,7 @@ class Render final : public Verb {
         }
         fmt::print("\n");
         for (const std::string& task : outcome.unwritten) {
-            fmt::print("{} is still to be written; the reference stood in\n", task);
+            fmt::print("{} is still to be written; what stood in is not yours\n", task);
         }
         if (outcome.non_finite.count > 0) {
             fmt::print("{} pixels are not finite, the first at ({}, {})\n",

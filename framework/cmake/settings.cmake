@@ -10,6 +10,11 @@ endif()
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    # Trees in other folders (a worktree, the students' kit) find what this one compiled: paths are
+    # made relative, and no debug information holds the folder.
+    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${CCACHE})
+  endif()
 endif()
 find_program(MOLD mold)
 if(MOLD)

@@ -1,8 +1,8 @@
 // The tasks of this homework and their points, by the ids that steps.cpp, the handout and the tests
 // share; and what the checker needs besides.
+#include "framework/base/error.h"
 #include "framework/grading/checker.h"
-#include "homework/ldr/check/make_samples.h"
-#include "homework/ldr/check/others.h"
+#include "homework/ldr/check/instructors.h"
 #include "homework/ldr/check/tests.h"
 
 namespace luch::homework::ldr {
@@ -11,15 +11,21 @@ Steps steps();
 
 namespace {
 
-grading::Homework make(const std::filesystem::path& root, std::optional<std::uint64_t> seed) {
-    Samples samples;
-    for (Sample& sample : stored_samples(root)) {
+void add(Samples& samples, std::vector<Sample> more) {
+    for (Sample& sample : more) {
         samples.push_back(std::make_shared<const Sample>(std::move(sample)));
     }
+}
+
+grading::Homework make(const std::filesystem::path& root, std::optional<std::uint64_t> seed) {
+    const Instructors instructed = instructors();
+    Samples samples;
+    add(samples, stored_samples(root));
     if (seed) {
-        for (Sample& sample : samples_from_seed(*seed, techniques::ldr::reference())) {
-            samples.push_back(std::make_shared<const Sample>(std::move(sample)));
+        if (instructed.samples_from_seed == nullptr) {
+            throw Error("--seed: the reference steps are not part of this tree");
         }
+        add(samples, instructed.samples_from_seed(*seed));
     }
     return {.topic = "ldr",
             .readme = "homework/ldr/README.md",
@@ -27,19 +33,14 @@ grading::Homework make(const std::filesystem::path& root, std::optional<std::uin
             .tasks = {encode_task(samples), add_task(samples), modulate_task(samples),
                       mix_task(samples), lerp_task(samples), accumulate_task(samples),
                       resolve_task(samples)},
-            .mutants = mutants(),
-            .variants = variants()};
-}
-
-int make_again(const std::filesystem::path& root, bool consent,
-               const std::function<void(const std::string&)>& say) {
-    return regenerate(root, techniques::ldr::reference(), consent, say);
+            .mutants = instructed.mutants,
+            .variants = instructed.variants};
 }
 
 }  // namespace
 
 grading::Checker checker() {
-    return {"ldr", make, make_again};
+    return {"ldr", make, instructors().regenerate};
 }
 
 }  // namespace luch::homework::ldr

@@ -2,8 +2,7 @@
 // share; and what the checker needs besides.
 #include "framework/base/error.h"
 #include "framework/grading/checker.h"
-#include "homework/vista/check/make_samples.h"
-#include "homework/vista/check/others.h"
+#include "homework/vista/check/instructors.h"
 #include "homework/vista/check/tests.h"
 
 namespace luch::homework::vista {
@@ -12,15 +11,21 @@ Steps steps();
 
 namespace {
 
-grading::Homework make(const std::filesystem::path& root, std::optional<std::uint64_t> seed) {
-    Samples samples;
-    for (Sample& sample : stored_samples(root)) {
+void add(Samples& samples, std::vector<Sample> more) {
+    for (Sample& sample : more) {
         samples.push_back(std::make_shared<const Sample>(std::move(sample)));
     }
+}
+
+grading::Homework make(const std::filesystem::path& root, std::optional<std::uint64_t> seed) {
+    const Instructors instructed = instructors();
+    Samples samples;
+    add(samples, stored_samples(root));
     if (seed) {
-        for (Sample& sample : samples_from_seed(*seed, reference())) {
-            samples.push_back(std::make_shared<const Sample>(std::move(sample)));
+        if (instructed.samples_from_seed == nullptr) {
+            throw Error("--seed: the reference steps are not part of this tree");
         }
+        add(samples, instructed.samples_from_seed(*seed));
     }
     return {.topic = "vista",
             .readme = "homework/vista/README.md",
@@ -28,19 +33,15 @@ grading::Homework make(const std::filesystem::path& root, std::optional<std::uin
             .tasks = {lod_task(stored_lod(root)), tessellate_task(samples), clip_task(samples),
                       sort_task(samples), project_task(samples), rasterise_task(samples),
                       look_up_task(samples)},
-            .mutants = mutants(),
-            .variants = variants()};
-}
-
-int make_again(const std::filesystem::path& root, bool consent,
-               const std::function<void(const std::string&)>& say) {
-    return regenerate(root, reference(), consent, say);
+            .mutants = instructed.mutants,
+            .variants = instructed.variants};
 }
 
 }  // namespace
 
 grading::Checker checker() {
-    return {"vista", make, make_again};
+    const Instructors instructed = instructors();
+    return {"vista", make, instructed.regenerate, instructed.handout};
 }
 
 }  // namespace luch::homework::vista

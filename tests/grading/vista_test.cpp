@@ -1,7 +1,10 @@
 #include "techniques/vista/vista.h"
 
+#include "framework/base/files.h"
 #include "framework/grading/check.h"
 #include "framework/grading/checker.h"
+#include "framework/image/io.h"
+#include "tests/testing/own_folder.h"
 #include "tests/testing/shell.h"
 
 #include <gmock/gmock.h>
@@ -70,6 +73,25 @@ TEST(CheckVista, IsAUsersMistakeWithAnUnknownTask) {
     EXPECT_EQ(ran.status, 2);
     EXPECT_THAT(ran.text, HasSubstr("did you mean vista.t"));
     EXPECT_EQ(check("--seed x").status, 2);
+}
+
+TEST(CheckVista, HasTheHandoutsPicturesOfTheReferenceSteps) {
+    const std::filesystem::path homework = LUCH_SOURCE_DIR "/homework/vista";
+    const auto folder = own_folder();
+    std::uintmax_t bytes = 0;
+    for (const auto& picture : checker().handout(LUCH_SOURCE_DIR)) {
+        const std::string file = "pictures/" + picture.name + ".png";
+        write_picture(folder / "made.png", picture.pixels.view());
+        EXPECT_EQ(read_picture(homework / file).pixels, read_picture(folder / "made.png").pixels)
+            << file << ": luch check vista --handout makes it again";
+        for (const char* handout : {"README.md", "README.bg.md"}) {
+            EXPECT_THAT(read_text(homework / handout), HasSubstr("](" + file + ")")) << handout;
+        }
+        bytes += file_size(homework / file);
+    }
+    EXPECT_GT(bytes, 20'000u);
+    EXPECT_LE(bytes, 150'000u);
+    std::filesystem::remove_all(folder);
 }
 
 /// The points of every task when only this step is written.

@@ -225,7 +225,9 @@ TEST_P(Documents, NameOnlyScenesThatExist) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(House, Documents, testing::Values("README.md", "run"));
+INSTANTIATE_TEST_SUITE_P(House, Documents,
+                         testing::Values("README.md", "run", "homework/kit/run",
+                                         "homework/vista/README.md"));
 
 }  // namespace
 }  // namespace luch

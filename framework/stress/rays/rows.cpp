@@ -31,6 +31,7 @@ const std::vector<Row>& rows() {
         {11, "singular transforms", "refused", singular_transforms, 0.02, false, "matrices"},
         {11, "transformed spheres", "t to 1e-5", transformed_spheres, 0.02, false},
         {11, "transformed meshes", "t to 1e-5", transformed_meshes, 0.02, true},
+#ifdef LUCH_ITEM_BUFFER
         {14, "items of patches with shared edges", "exact ids", items_of_patches, 0.25, true,
          "pixels"},
         {14, "items behind the eye", "exact ids", items_behind_the_eye, 0.05, true, "pixels"},
@@ -41,6 +42,7 @@ const std::vector<Row>& rows() {
          "pixels"},
         {14, "items of random bits", "exact ids", items_of_random_bits, 0.05, true, "pixels"},
         {15, "items against rays", "exact ids", items_against_rays, 0.05, true, "pixels"},
+#endif
     };
     return all;
 }

@@ -1,13 +1,11 @@
 #include "homework/ldr/check/make_samples.h"
 
-#include "framework/image/planes.h"
 #include "framework/math/rng.h"
 #include "homework/ldr/check/store.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace luch::homework::ldr {
@@ -125,41 +123,6 @@ Sample answered(Sample sample, const Steps& steps) {
     return sample;
 }
 
-/// How many numbers differ, NaN being NaN; all of them when the kind or the size does.
-std::size_t differences(const Plane32& one, const Plane32& other) {
-    return std::visit(
-        [](const auto& a, const auto& b) -> std::size_t {
-            if constexpr (std::is_same_v<decltype(a), decltype(b)>) {
-                if (a.size() != b.size()) return a.size().area();
-                std::size_t count = 0;
-                for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-                    count += std::memcmp(&a.pixels()[i], &b.pixels()[i], 4) != 0;
-                }
-                return count;
-            } else {
-                return a.size().area();
-            }
-        },
-        one, other);
-}
-
-bool regenerate_plane(const std::filesystem::path& file, const StoredPlane& made, bool consent,
-                      const std::function<void(const std::string&)>& say) {
-    const bool floats = std::holds_alternative<Image<float>>(made.plane);
-    if (std::filesystem::exists(file)) {
-        const Plane32 old = floats ? Plane32(read_float_plane(file)) : Plane32(read_id_plane(file));
-        const std::size_t count = differences(made.plane, old);
-        if (count == 0) return false;
-        say(fmt::format("{}: {} numbers differ", file.string(), count));
-    } else {
-        say(fmt::format("{}: new", file.string()));
-    }
-    if (!consent) return true;
-    std::filesystem::create_directories(file.parent_path());
-    std::visit([&](const auto& plane) { write_plane(file, plane.view()); }, made.plane);
-    return true;
-}
-
 }  // namespace
 
 std::vector<Sample> samples_from_seed(std::uint64_t seed, const Steps& steps) {
@@ -172,16 +135,16 @@ std::vector<Sample> samples_from_seed(std::uint64_t seed, const Steps& steps) {
     return samples;
 }
 
-int regenerate(const std::filesystem::path& root, const Steps& steps, bool consent,
-               const std::function<void(const std::string&)>& say) {
+int regenerate(const std::filesystem::path& root, const Steps& steps,
+               const grading::Regeneration& regeneration) {
     constexpr std::uint64_t public_seed = 2026;
     int changed = 0;
     for (std::size_t i = 0; i < std::size(sample_names); ++i) {
         Maker maker(Key(public_seed).branch(i), taste_of(i));
         const Sample sample = answered(maker.inputs(sample_names[i]), steps);
-        for (const StoredPlane& plane : planes_of(sample)) {
-            const auto file = root / "homework/ldr/reference" / sample.name / plane.name;
-            changed += regenerate_plane(file, plane, consent, say);
+        const auto folder = root / "homework/ldr/reference" / sample.name;
+        for (const grading::StoredPlane& plane : planes_of(sample)) {
+            changed += grading::regenerate_plane(folder, plane, {}, regeneration);
         }
     }
     return changed;

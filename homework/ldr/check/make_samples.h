@@ -1,8 +1,9 @@
 #pragma once
 
+#include "framework/grading/checker.h"
 #include "homework/ldr/check/samples.h"
 
-#include <functional>
+#include <cstdint>
 
 // Needs the reference steps; the students' kit does without.
 namespace luch::homework::ldr {
@@ -11,8 +12,8 @@ namespace luch::homework::ldr {
 std::vector<Sample> samples_from_seed(std::uint64_t seed, const Steps& steps);
 
 /// Makes the public samples again and writes those files of homework/ldr/reference that change.
-/// `say` gets a line for each; without `consent` nothing is written. Returns how many differ.
-int regenerate(const std::filesystem::path& root, const Steps& steps, bool consent,
-               const std::function<void(const std::string&)>& say);
+/// Returns how many differ.
+int regenerate(const std::filesystem::path& root, const Steps& steps,
+               const grading::Regeneration& regeneration);
 
 }  // namespace luch::homework::ldr

@@ -67,7 +67,7 @@ const std::vector<T>& checked(const Image<T>& image, std::size_t count,
 
 }  // namespace
 
-std::vector<StoredPlane> planes_of(const Sample& sample) {
+std::vector<grading::StoredPlane> planes_of(const Sample& sample) {
     return {{"light.exr", stacked(floats_of(sample))},
             {"words.exr", stacked(bits_of(sample))},
             {"sums.exr", stacked(sums_of(sample))}};

@@ -1,7 +1,6 @@
 #include "homework/vista/check/make_samples.h"
 
 #include "framework/accel/accelerator.h"
-#include "framework/image/planes.h"
 #include "framework/math/rng.h"
 #include "framework/scene/loader/loader.h"
 #include "homework/vista/check/sight.h"
@@ -148,41 +147,6 @@ class SceneMaker {
     std::uint64_t drawn_ = 0;
 };
 
-/// How many numbers differ; all of them when the kind or the size does.
-std::size_t differences(const Plane32& one, const Plane32& other) {
-    return std::visit(
-        [](const auto& a, const auto& b) -> std::size_t {
-            if constexpr (std::is_same_v<decltype(a), decltype(b)>) {
-                if (a.size() != b.size()) return a.size().area();
-                std::size_t count = 0;
-                for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-                    count += a.pixels()[i] != b.pixels()[i];
-                }
-                return count;
-            } else {
-                return a.size().area();
-            }
-        },
-        one, other);
-}
-
-bool regenerate_plane(const std::filesystem::path& file, const StoredPlane& made, bool consent,
-                      const std::function<void(const std::string&)>& say) {
-    const bool floats = std::holds_alternative<Image<float>>(made.plane);
-    if (std::filesystem::exists(file)) {
-        const Plane32 old = floats ? Plane32(read_float_plane(file)) : Plane32(read_id_plane(file));
-        const std::size_t count = differences(made.plane, old);
-        if (count == 0) return false;
-        say(fmt::format("{}: {} numbers differ", file.string(), count));
-    } else {
-        say(fmt::format("{}: new", file.string()));
-    }
-    if (!consent) return true;
-    std::filesystem::create_directories(file.parent_path());
-    std::visit([&](const auto& plane) { write_plane(file, plane.view()); }, made.plane);
-    return true;
-}
-
 }  // namespace
 
 Sample sample_of(std::string name, std::shared_ptr<const Scene> scene, const Steps& steps) {
@@ -215,20 +179,20 @@ std::vector<Sample> samples_from_seed(std::uint64_t seed, const Steps& steps) {
     return samples;
 }
 
-int regenerate(const std::filesystem::path& root, const Steps& steps, bool consent,
-               const std::function<void(const std::string&)>& say) {
+int regenerate(const std::filesystem::path& root, const Steps& steps,
+               const grading::Regeneration& regeneration) {
     const std::filesystem::path folder = root / "homework/vista";
     int changed = 0;
-    for (const StoredPlane& plane : planes_of(lod_sample(steps))) {
-        changed += regenerate_plane(folder / "reference" / plane.name, plane, consent, say);
+    for (const grading::StoredPlane& plane : planes_of(lod_sample(steps))) {
+        changed += grading::regenerate_plane(folder / "reference", plane, {}, regeneration);
     }
     for (const char* name : {"balls", "boxes", "gems", "inside"}) {
         const auto file = folder / "scenes" / (std::string(name) + ".scene");
         auto scene = std::make_shared<const Scene>(load_scene(file).scene);
         const Sample sample = sample_of(name, std::move(scene), steps);
-        for (const StoredPlane& plane : planes_of(sample)) {
-            changed +=
-                regenerate_plane(folder / "reference" / name / plane.name, plane, consent, say);
+        for (const grading::StoredPlane& plane : planes_of(sample)) {
+            changed += grading::regenerate_plane(folder / "reference" / name, plane,
+                                                 sample.screen().size(), regeneration);
         }
     }
     return changed;

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "framework/grading/checker.h"
 #include "homework/vista/check/samples.h"
 
 #include <cstdint>
-#include <functional>
 
 // Needs the reference steps; the students' kit does without.
 namespace luch::homework::vista {
@@ -16,8 +16,8 @@ LodSample lod_sample(const Steps& steps);
 std::vector<Sample> samples_from_seed(std::uint64_t seed, const Steps& steps);
 
 /// Makes the public samples again and writes those files of homework/vista/reference that change.
-/// `say` gets a line for each; without `consent` nothing is written. Returns how many differ.
-int regenerate(const std::filesystem::path& root, const Steps& steps, bool consent,
-               const std::function<void(const std::string&)>& say);
+/// Returns how many differ.
+int regenerate(const std::filesystem::path& root, const Steps& steps,
+               const grading::Regeneration& regeneration);
 
 }  // namespace luch::homework::vista

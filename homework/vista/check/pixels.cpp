@@ -258,6 +258,32 @@ Finding same_as_tracing(const Steps& steps, const Sample& sample) {
          grading::same_depths(yours.t.view(), t.view(), yours.nodes.view(), named.view())});
 }
 
+/// The scene and the camera, moved by the same way.
+Sample moved(const Sample& sample, const Vec3d& by) {
+    Scene scene = *sample.scene;
+    scene.camera.position += by;
+    for (Node& node : scene.nodes) {
+        node.to_world.offset += by;
+        node.to_object = node.to_world.inverse();
+    }
+    Sample there = sample;
+    there.scene = std::make_shared<const Scene>(std::move(scene));
+    return there;
+}
+
+/// Where all of it stands in the world is not to be seen. Held against its own picture, so that
+/// other mistakes are not punished once more.
+Finding moved_with_the_camera(const Steps& steps, const Sample& sample) {
+    const LookedUp here = looked_up(steps, sample, sample.named);
+    const LookedUp there = looked_up(steps, moved(sample, {40, -24, 56}), sample.named);
+    if (here.nodes == Image<std::uint32_t>(here.nodes.size(), no_node)) {
+        return failure("no pixel has a hit");
+    }
+    return grading::first_failure_of(
+        {grading::same_ids(there.nodes.view(), here.nodes.view(), "node, moved,"),
+         grading::same_ids(there.fell_back.view(), here.fell_back.view(), "fell_back, moved,")});
+}
+
 }  // namespace
 
 grading::Task rasterise_task(const Samples& samples) {
@@ -282,7 +308,8 @@ grading::Task look_up_task(const Samples& samples) {
             {{"vista.t7.the_named_is_hit", 2, cases_of(samples, the_named_is_hit)},
              {"vista.t7.marks_its_fallbacks", 1, cases_of(samples, marks_its_fallbacks)},
              {"vista.t7.no_ray_too_many", 1, cases_of(samples, no_ray_too_many)},
-             {"vista.t7.same_as_tracing", 1, cases_of(samples, same_as_tracing)}}};
+             {"vista.t7.same_as_tracing", 0.5, cases_of(samples, same_as_tracing)},
+             {"vista.t7.moved_with_the_camera", 0.5, cases_of(samples, moved_with_the_camera)}}};
 }
 
 }  // namespace luch::homework::vista

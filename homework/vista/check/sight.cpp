@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace luch::homework::vista {
 namespace {
@@ -16,11 +17,10 @@ Tile pixels_around(const Tri& triangle, const Screen& screen) {
     const auto [width, height] = screen.size();
     double x0 = infinity, y0 = infinity, x1 = -infinity, y1 = -infinity;
     for (const auto& [p, w] : triangle.corners) {
-        if (!(p.z > 0)) return {0, 0, width, height};
-        const double x = (p.x / (p.z * screen.half_width()) + 1) / 2 * width;
-        const double y = (1 - p.y / (p.z * screen.half_height())) / 2 * height;
-        x0 = std::min(x0, x), x1 = std::max(x1, x);
-        y0 = std::min(y0, y), y1 = std::max(y1, y);
+        const std::optional<Vec2d> px = screen.project(p);
+        if (!px) return {0, 0, width, height};
+        x0 = std::min(x0, px->x), x1 = std::max(x1, px->x);
+        y0 = std::min(y0, px->y), y1 = std::max(y1, px->y);
     }
     const auto pixel = [](double at, int most) {
         return static_cast<int>(std::clamp(at, 0.0, double(most)));

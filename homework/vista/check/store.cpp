@@ -75,7 +75,7 @@ Image<std::uint32_t> column_of(const std::vector<std::uint32_t>& values) {
 
 }  // namespace
 
-std::vector<StoredPlane> planes_of(const Sample& sample) {
+std::vector<grading::StoredPlane> planes_of(const Sample& sample) {
     return {
         {"shape_ids.exr", sample.shape_ids},         {"shape_depth.exr", sample.shape_depth},
         {"around.exr", rows_of(sample.around)},      {"in_view.exr", rows_of(sample.in_view)},
@@ -85,7 +85,7 @@ std::vector<StoredPlane> planes_of(const Sample& sample) {
         {"hit_nodes.exr", sample.hit_nodes},         {"fell_back.exr", sample.fell_back}};
 }
 
-std::vector<StoredPlane> planes_of(const LodSample& sample) {
+std::vector<grading::StoredPlane> planes_of(const LodSample& sample) {
     Image<float> radii({1, static_cast<int>(sample.radii.size())});
     radii.pixels() = sample.radii;
     const std::vector<std::uint32_t> segments(sample.segments.begin(), sample.segments.end());

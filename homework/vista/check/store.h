@@ -1,23 +1,14 @@
 #pragma once
 
+#include "framework/grading/stored.h"
 #include "homework/vista/check/samples.h"
-
-#include <functional>
-#include <variant>
 
 // How a sample lies in files: one-channel EXR, floats or ids. A list of triangles has a row for
 // each: x, y, z, w of three corners and the node; on the screen x, y, 1/z of three and the node.
 namespace luch::homework::vista {
 
-using Plane32 = std::variant<Image<float>, Image<std::uint32_t>>;
-
-struct StoredPlane {
-    std::string name;  ///< "around.exr"
-    Plane32 plane;
-};
-
-std::vector<StoredPlane> planes_of(const Sample& sample);
-std::vector<StoredPlane> planes_of(const LodSample& sample);
+std::vector<grading::StoredPlane> planes_of(const Sample& sample);
+std::vector<grading::StoredPlane> planes_of(const LodSample& sample);
 
 /// Fills all but name and scene from the files of a folder. Throws Error.
 void read_planes(const std::filesystem::path& folder, Sample& sample);
