@@ -9,14 +9,13 @@ namespace {
 
 /// srgb_decoded() of all levels, as picture files are read.
 const std::array<float, 256>& decoded() {
-    static const std::array<float, 256> levels = [] {
-        std::array<float, 256> made{};
-        for (std::size_t i = 0; i < made.size(); ++i) {
-            made[i] = srgb_decoded(static_cast<float>(i) / 255);
-        }
-        return made;
+    static const auto table = [] {
+        std::array<float, 256> of_level{};
+        float level = 0;
+        for (float& linear : of_level) linear = srgb_decoded(level++ / 255);
+        return of_level;
     }();
-    return levels;
+    return table;
 }
 
 std::optional<std::uint32_t> level_of(float linear) {
