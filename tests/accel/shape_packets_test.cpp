@@ -88,6 +88,21 @@ TEST_P(ShapePackets, MeetWhatSingleRaysMeet) {
     EXPECT_GT(exits, 100);
 }
 
+TEST_P(ShapePackets, MeetNothingAtTheVeryEndsOfARay) {
+    const auto t_between = [](float t_min, float t_max) {
+        RayPacket rays;
+        rays.t_min = t_min;
+        rays.add({0, 0, 1}, t_max);
+        wide::ShapeHits met;
+        meet(Sphere{{0, 0, 3}, 1}, nullptr, rays, wide::kernels(GetParam()), met);
+        return met.t[0];
+    };
+    EXPECT_EQ(t_between(0, infinite), 2);
+    EXPECT_EQ(t_between(2, infinite), 4);
+    EXPECT_EQ(t_between(0, 2), infinite);
+    EXPECT_EQ(t_between(2, 4), infinite);
+}
+
 TEST_P(ShapePackets, LeaveOtherShapesAlone) {
     wide::ShapeHits met;
     EXPECT_FALSE(meet(Mesh{}, nullptr, RayPacket(), wide::kernels(GetParam()), met));

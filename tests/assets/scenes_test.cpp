@@ -78,6 +78,24 @@ TEST(Page, LiesInThePlaneOfFocusWithThingsBeforeAndBehind) {
     EXPECT_GE(behind, 15);
 }
 
+TEST(Fence, HasThingsFarBeforeInAndFarBehindThePlaneOfFocus) {
+    const Loaded fence = loaded("fence");
+    EXPECT_TRUE(fence.warnings.empty());
+    const Camera& camera = fence.scene.camera;
+    ASSERT_TRUE(camera.has_lens());
+    const Screen screen(camera, fence.scene.settings.frame);
+    int before = 0, in = 0, behind = 0;
+    for (const Node& node : fence.scene.nodes) {
+        const double depth = screen.to_view(node.to_world.point(Vec3d(0))).z;
+        before += depth > 1 && depth < camera.focal_distance / 2 ? 1 : 0;
+        in += std::abs(depth / camera.focal_distance - 1) < 0.1 ? 1 : 0;
+        behind += depth > camera.focal_distance * 2 ? 1 : 0;
+    }
+    EXPECT_EQ(before, 4);
+    EXPECT_EQ(in, 1);
+    EXPECT_GE(behind, 6);
+}
+
 TEST(Fisheye, SeesTheWholeHallAndTheSkyOnlyThroughTheDome) {
     const Loaded hall = loaded("fisheye");
     EXPECT_TRUE(hall.warnings.empty());
