@@ -1,28 +1,12 @@
 #pragma once
 
-#include "framework/baseline/stages.h"
+#include "framework/baseline/tile_rays.h"
 #include "framework/technique/context.h"
-#include "framework/technique/samples.h"
-#include "framework/technique/technique.h"
 #include "framework/trace/whitted.h"
 
-#include <algorithm>
 #include <array>
 
 namespace luch {
-
-/// Calls work(x, y) for a tile's pixels in the order of packets: blocks of 4 × 4, row by row.
-template <class Work>
-void for_each_pixel(const Tile& tile, Work&& work) {
-    constexpr int block = 4;
-    for (int y0 = tile.y0; y0 < tile.y1; y0 += block) {
-        for (int x0 = tile.x0; x0 < tile.x1; x0 += block) {
-            for (int y = y0; y < std::min(y0 + block, tile.y1); ++y) {
-                for (int x = x0; x < std::min(x0 + block, tile.x1); ++x) work(x, y);
-            }
-        }
-    }
-}
 
 /// Fills a tile with the mean of all of a pixel's samples, hits found by tracing. Where there is no
 /// ray it is black.
@@ -39,9 +23,6 @@ void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
                 Tracer& tracer, const RayPacket& rays, const HitPacket& hits,
                 ImageView<Rgb> colour);
-
-/// The key of all that a sample's light depends on at random.
-Key radiance_key(const Shot& shot, int x, int y, int sample);
 
 /// Where the scene's own anti-aliasing takes its further samples, from the pixel's centre.
 inline constexpr int antialias_samples = 4;

@@ -2,25 +2,17 @@
 
 #include "framework/baseline/classic.h"
 
-#include <utility>
 #include <vector>
 
 namespace luch {
 
 /// Some pixels' rays, what they meet and what that shows, shaded as the baseline does but not
 /// summed: for techniques that do the sums in a way of their own. Reused from tile to tile.
-struct DeferredPixels {
-    std::vector<std::pair<int, int>> pixels;
-    std::vector<Ray> rays;
-    std::vector<Key> keys;
-    std::vector<Hit> hits;
+struct DeferredPixels : TileRays {
     std::vector<Rgb> light;  ///< the sum, as the baseline has it
     ShadedParts parts;       ///< what it is made of
 
-    void clear();
-    /// Adds a ray of a pixel, but one that leads nowhere (see nowhere()).
-    void add(int x, int y, const Ray& ray, Key key);
-    /// Finds hits and light of all rays added.
+    /// Finds the light of all rays, their hits being known.
     void shade(const Scene& scene, const Needs& needs, Tracer& tracer);
 };
 
