@@ -1,27 +1,12 @@
 #pragma once
 
-#include "framework/baseline/stages.h"
+#include "framework/baseline/tile_rays.h"
 #include "framework/technique/context.h"
-#include "framework/technique/samples.h"
-#include "framework/technique/technique.h"
 #include "framework/trace/whitted.h"
 
-#include <algorithm>
+#include <array>
 
 namespace luch {
-
-/// Calls work(x, y) for a tile's pixels in the order of packets: blocks of 4 × 4, row by row.
-template <class Work>
-void for_each_pixel(const Tile& tile, Work&& work) {
-    constexpr int block = 4;
-    for (int y0 = tile.y0; y0 < tile.y1; y0 += block) {
-        for (int x0 = tile.x0; x0 < tile.x1; x0 += block) {
-            for (int y = y0; y < std::min(y0 + block, tile.y1); ++y) {
-                for (int x = x0; x < std::min(x0 + block, tile.x1); ++x) work(x, y);
-            }
-        }
-    }
-}
 
 /// Fills a tile with the mean of all of a pixel's samples, hits found by tracing. Where there is no
 /// ray it is black.
@@ -38,6 +23,14 @@ void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
                 Tracer& tracer, const RayPacket& rays, const HitPacket& hits,
                 ImageView<Rgb> colour);
+
+/// Where the scene's own anti-aliasing takes its further samples, from the pixel's centre.
+inline constexpr int antialias_samples = 4;
+inline constexpr std::array<Vec2d, antialias_samples> antialias_places{
+    Vec2d{-0.3, -0.3}, {0.3, -0.3}, {-0.3, 0.3}, {0.3, 0.3}};
+
+/// 1 where it takes them, else 0.
+Image<std::uint8_t> edges_of(ImageView<const Rgb> colour, Context& context);
 
 /// The scene's own anti-aliasing, as the course has it: where a pixel or a neighbour differs from
 /// the mean of the five by more than 0.1 in a displayed channel, four more samples are taken around

@@ -1,3 +1,11 @@
+# luch_widest_vectors(target): its kernels of level v4 are loops over memory, for which vectors of 64
+# bytes pay; the compiler by itself takes those of 32.
+function(luch_widest_vectors target)
+  if(TARGET ${target}_v4)
+    target_compile_options(${target}_v4 PRIVATE -mprefer-vector-width=512)
+  endif()
+endfunction()
+
 # luch_kernels(target source…): compiles kernel files into `target` once for every level of x86-64
 # and once in plain C++. Each defines one entry, named after LUCH_LEVEL (plain, v2, v3, v4), which
 # the program chooses from at run time. Always optimised: what is not inlined would become a weak

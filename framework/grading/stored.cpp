@@ -5,10 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+
 namespace luch::grading {
 namespace {
 
-/// How many numbers differ; all of them when the kind or the size does.
+/// How many numbers differ in their bits (a NaN is what it is); all of them when the kind or the
+/// size does.
 std::size_t differences(const Plane32& one, const Plane32& other) {
     return std::visit(
         [](const auto& a, const auto& b) -> std::size_t {
@@ -16,7 +19,7 @@ std::size_t differences(const Plane32& one, const Plane32& other) {
                 if (a.size() != b.size()) return a.size().area();
                 std::size_t count = 0;
                 for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-                    count += a.pixels()[i] != b.pixels()[i];
+                    count += std::memcmp(&a.pixels()[i], &b.pixels()[i], sizeof b.pixels()[i]) != 0;
                 }
                 return count;
             } else {

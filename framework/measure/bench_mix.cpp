@@ -1,18 +1,17 @@
 #include "framework/measure/bench_mix.h"
 
 #include "framework/math/rng.h"
+#include "framework/measure/bench_contender.h"
 #include "framework/measure/metrics.h"
-#include "framework/measure/mix/kernels.h"
 
 #include <cmath>
 #include <cstring>
 #include <ctime>
-#include <functional>
 
 namespace luch {
 namespace {
 
-constexpr std::size_t tile_pixels = 64 * 64;
+constexpr std::size_t tile_pixels = 64 * 64;  // of the largest tile
 
 const mix::Kernels& kernels(Isa isa) {
 #if defined(LUCH_X86_64_LEVELS)
@@ -23,25 +22,6 @@ const mix::Kernels& kernels(Isa isa) {
     static_cast<void>(isa);
     return mix::kernels_plain();
 }
-
-/// Numbers that begin where a line of the cache does, or some vectors would lie in two.
-template <class T>
-class Aligned {
- public:
-    explicit Aligned(std::size_t n) : lines_((n * sizeof(T) + 63) / 64), size_(n) {}
-    [[nodiscard]] T* data() { return reinterpret_cast<T*>(lines_.data()); }
-    [[nodiscard]] const T* data() const { return reinterpret_cast<const T*>(lines_.data()); }
-    [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] T& operator[](std::size_t i) { return data()[i]; }
-    [[nodiscard]] const T& operator[](std::size_t i) const { return data()[i]; }
-
- private:
-    struct alignas(64) Line {
-        unsigned char bytes[64];
-    };
-    std::vector<Line> lines_;
-    std::size_t size_;
-};
 
 /// Two pictures and a place for their mean. A value is a channel, or several packed into one.
 template <class T>
@@ -72,13 +52,6 @@ Pictures<T> packed(const Pictures<std::uint8_t>& bytes) {
     return pictures;
 }
 
-struct Contender {
-    MixSpeed speed;
-    std::function<void(std::size_t pixels)> mix;
-    std::function<double()> worst_error;
-    std::vector<double> frame_ns{}, tile_ns{};
-};
-
 double error_of(const Pictures<float>& pictures) {
     double worst = 0;
     for (std::size_t i = 0; i < pictures.mean.size(); ++i) {
@@ -106,12 +79,28 @@ Contender contender(const std::string& mode, int bytes_per_pixel,
                     void (*mix)(const T*, const T*, T*, std::size_t), Pictures<T>& pictures) {
     // Three pictures are read or written.
     const auto bytes = static_cast<std::size_t>(bytes_per_pixel / 3);
-    return {{mode, bytes_per_pixel},
+    return {{mode, "float", static_cast<double>(bytes_per_pixel)},
             [mix, bytes, &pictures](std::size_t pixels) {
                 mix(pictures.a.data(), pictures.b.data(), pictures.mean.data(),
                     pixels * bytes / sizeof(T));
             },
             [&pictures] { return error_of(pictures); }};
+}
+
+/// The mean replaces what was `mean` before, which is `a` when the error is asked for.
+template <class T>
+Contender in_place(const std::string& mode, const std::string& against, int bytes_per_pixel,
+                   void (*mix)(T*, const T*, std::size_t), Pictures<T>& pictures) {
+    const auto bytes = static_cast<std::size_t>(bytes_per_pixel / 3);
+    return {{mode, against, static_cast<double>(bytes_per_pixel)},
+            [mix, bytes, &pictures](std::size_t pixels) {
+                mix(pictures.mean.data(), pictures.b.data(), pixels * bytes / sizeof(T));
+            },
+            [mix, &pictures] {
+                pictures.mean = pictures.a;
+                mix(pictures.mean.data(), pictures.b.data(), pictures.mean.size());
+                return error_of(pictures);
+            }};
 }
 
 double seconds_of(const std::function<void()>& work) {
@@ -120,17 +109,20 @@ double seconds_of(const std::function<void()>& work) {
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-/// A frame whole, then the same number of pixels tile by tile, all in one tile's memory.
+/// A frame whole, once more, then the same number of pixels tile by tile, all in one tile's memory.
 void run_once(Contender& contender, std::size_t pixels, bool counts) {
     const double to_ns = 1e9 / static_cast<double>(pixels);
-    const double frame = seconds_of([&] { contender.mix(pixels); });
-    const std::size_t tiles = pixels / tile_pixels;
+    const double frame = seconds_of([&] { contender.work(pixels); });
+    const double again = seconds_of([&] { contender.work(pixels); });
+    const auto side = static_cast<std::size_t>(contender.speed.tile_side);
+    const std::size_t tiles = pixels / (side * side);
     const double tile = seconds_of([&] {
-        for (std::size_t i = 0; i < tiles; ++i) contender.mix(tile_pixels);
+        for (std::size_t i = 0; i < tiles; ++i) contender.work(side * side);
     });
     if (!counts) return;
     contender.frame_ns.push_back(frame * to_ns);
-    contender.tile_ns.push_back(tile * 1e9 / static_cast<double>(tiles * tile_pixels));
+    contender.again_ns.push_back(again * to_ns);
+    contender.tile_ns.push_back(tile * 1e9 / static_cast<double>(tiles * side * side));
 }
 
 }  // namespace
@@ -145,20 +137,27 @@ std::vector<MixSpeed> raced(const MixBench& bench) {
     auto words = packed<std::uint32_t>(bytes);
     auto longs = packed<std::uint64_t>(bytes);
     const mix::Kernels& with = kernels(bench.isa);
-    Contender contenders[] = {contender("float", 36, with.floats, floats),
-                              contender("float alone", 36, with.floats_alone, floats),
-                              contender("bytes alone", 12, with.bytes_alone, bytes),
-                              contender("word alone", 12, with.words_alone, words),
-                              contender("long alone", 12, with.longs_alone, longs),
-                              contender("word", 12, with.words, words),
-                              contender("bytes", 12, with.bytes, bytes)};
+    std::vector<Contender> contenders{
+        contender("float", 36, with.floats, floats),
+        contender("float alone", 36, with.floats_alone, floats),
+        contender("bytes alone", 12, with.bytes_alone, bytes),
+        contender("word alone", 12, with.words_alone, words),
+        contender("long alone", 12, with.longs_alone, longs),
+        contender("word", 12, with.words, words),
+        contender("bytes", 12, with.bytes, bytes),
+        in_place("float in place", "float in place", 36, with.floats_in_place, floats),
+        in_place("bytes in place", "float in place", 12, with.bytes_in_place, bytes)};
+    for (auto& more : {plane_contenders(with, pixels), texture_contenders(pixels)}) {
+        contenders.insert(contenders.end(), more.begin(), more.end());
+    }
     std::vector<MixSpeed> speeds;
     for (int round = -1; round < bench.rounds; ++round) {  // the first one warms up
         for (Contender& each : contenders) run_once(each, pixels, round >= 0);
     }
     for (Contender& each : contenders) {
-        each.mix(pixels);
+        each.work(pixels);
         each.speed.frame_ns = median(each.frame_ns);
+        each.speed.again_ns = median(each.again_ns);
         each.speed.tile_ns = median(each.tile_ns);
         each.speed.worst_error = each.worst_error();
         speeds.push_back(each.speed);

@@ -15,19 +15,24 @@ struct MixBench {
     Isa isa = Isa::plain;
 };
 
-/// How fast two pictures in one representation become their mean.
+/// How fast colours in one representation are worked on.
 struct MixSpeed {
-    /// "float" (RGB), "bytes" (one of RGBA after the other), "word" and "long" (four and eight
-    /// channels in an integer, SWAR); those without "alone" in vectors of the compiler's.
+    /// Two pictures become their mean: "float" (RGB), "bytes" (one of RGBA after the other), "word"
+    /// and "long" (four and eight channels in an integer, SWAR); those without "alone" in vectors
+    /// of the compiler's; "in place" the mean replaces one of them. "planes": a frame is put
+    /// together from six. "texture": bilinear look-ups.
     std::string mode;
-    int bytes_per_pixel = 0;  ///< read and written
-    double frame_ns = 0;      ///< a pixel, over whole frames
-    double tile_ns = 0;       ///< a pixel, over a tile that stays in the cache
-    /// The largest distance of a channel from its exact mean, in 255ths.
+    std::string against;         ///< the mode of floats that it is to be held against
+    double bytes_per_pixel = 0;  ///< read and written
+    int tile_side = 64;          ///< pixels of a tile that stays in the cache
+    double frame_ns = 0;  ///< a pixel, over whole frames, others having been worked on before
+    double again_ns = 0;  ///< the same at once once more: what the caches kept helps
+    double tile_ns = 0;   ///< a pixel, over a tile
+    /// The largest distance of a channel from its exact value, in 255ths.
     double worst_error = 0;
 };
 
-/// Races the representations on one thread. "float" comes first.
+/// Races the representations on one thread. Modes of floats come before those held against them.
 std::vector<MixSpeed> raced(const MixBench& bench);
 
 }  // namespace luch

@@ -164,6 +164,9 @@ void SceneLab::measure_baseline() {
 LabPoint SceneLab::point_by_parameter(const Subject& subject) {
     const Measurement measurement = measured_once(subject, &baseline_);
     LabPoint point = point_of(measurement, frame_truth_, converged_ ? &*converged_ : nullptr);
+    if (subject.info->resolution > 0 && point.ran()) {
+        point.linear_rmse = rmse_within_white(frame_truth_, measurement.outcome.frame.colour);
+    }
     pictures_.add_to(point, fmt::format("{} {}", subject.info->name, subject.assignment),
                      measurement.outcome.frame.colour, frame_truth_);
     return point;

@@ -49,6 +49,14 @@ LabPoint point_of(const Measurement& measurement, const TruthPicture& truth,
     return point;
 }
 
+double rmse_within_white(const TruthPicture& truth, const Image<Rgb>& linear) {
+    const auto within = [](Image<Rgb> image) {
+        for (Rgb& pixel : image.pixels()) pixel = glm::min(pixel, Rgb(1));
+        return image;
+    };
+    return rmse_between(within(truth.linear), within(linear));
+}
+
 std::filesystem::path Pictures::written(const std::string& name, ImageView<const Rgb> shown) const {
     if (folder_.empty()) return {};
     auto file = folder_ / (file_name(scene_ + " " + name) + ".png");

@@ -18,6 +18,10 @@ TruthPicture truth_picture(LabTruth facts, const Image<Rgb>& linear);
 LabPoint point_of(const Measurement& measurement, const TruthPicture& truth,
                   const TruthPicture* converged);
 
+/// RMSE in linear light, what is brighter than white being white: for techniques whose colours end
+/// there (TechniqueInfo::resolution), or that part of the error would hide the rest.
+double rmse_within_white(const TruthPicture& truth, const Image<Rgb>& linear);
+
 /// Writes PNG files for the pages of one scene.
 class Pictures {
  public:

@@ -1,5 +1,7 @@
 #include "framework/scene/texture.h"
 
+#include "framework/scene/bilinear.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,27 +9,9 @@
 namespace luch {
 namespace {
 
-/// The part after the floor, in [0, 1); 0 where there is none (an infinite or NaN coordinate).
-double frac(double x) {
-    const double part = x - std::floor(x);
-    return part < 1 ? part : 0;
-}
-
-/// The pixel at (s·W, t·H) of an image that repeats: bilinear between the pixel there and its right
-/// and lower neighbours, without the half-texel shift.
 template <class T>
 T sampled(const Image<T>& image, double s, double t) {
-    if (image.size().area() == 0) return T(0);
-    const double x = frac(s) * image.width();
-    const double y = frac(t) * image.height();
-    const int x0 = static_cast<int>(x) % image.width();
-    const int y0 = static_cast<int>(y) % image.height();
-    const int x1 = (x0 + 1) % image.width();
-    const int y1 = (y0 + 1) % image.height();
-    const auto fx = static_cast<float>(x - std::floor(x));
-    const auto fy = static_cast<float>(y - std::floor(y));
-    return (image(x0, y0) * (1 - fx) + image(x1, y0) * fx) * (1 - fy) +
-           (image(x0, y1) * (1 - fx) + image(x1, y1) * fx) * fy;
+    return bilinear<T>(image.size(), s, t, [&](int x, int y) { return image(x, y); });
 }
 
 Rgb colour_of(const CheckerTexture& checker, const TexturePoint& point) {

@@ -75,7 +75,8 @@ std::string beside_baseline(const Sight& sight, const Studio& studio) {
     if (!subject.info->approximates || subject.info->name == subject.baseline->name) return "";
     const Outcome truth =
         run(*subject.baseline->create(), studio, sight.shot, {}, {.warm_up = 0, .frames = 1});
-    const std::size_t off = unlike(truth.frame.colour.view(), sight.colour(), 0);
+    const std::size_t off =
+        unlike(truth.frame.colour.view(), sight.colour(), 0, subject.info->resolution);
     if (off == 0) return ", as the baseline";
     return fmt::format(", {} of {} pixels unlike the baseline", off, sight.shot.size.area());
 }
@@ -125,7 +126,8 @@ void CaseList::look(int row, std::string name, std::string expected, std::functi
         });
 }
 
-std::size_t unlike(ImageView<const Rgb> a, ImageView<const Rgb> b, double tolerance) {
+std::size_t unlike(ImageView<const Rgb> a, ImageView<const Rgb> b, double tolerance,
+                   double resolution) {
     if (a.size() != b.size()) return std::max(a.size().area(), b.size().area());
     const std::size_t count = a.size().area();
     double sum = 0;
@@ -136,9 +138,12 @@ std::size_t unlike(ImageView<const Rgb> a, ImageView<const Rgb> b, double tolera
     const double mean = sum / static_cast<double>(std::max<std::size_t>(count, 1));
     std::size_t off = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const Vec3d p(a.data()[i]), q(b.data()[i]);
+        const auto shown = [&](const Rgb& colour) {
+            return resolution > 0 ? glm::min(Vec3d(colour), Vec3d(1)) : Vec3d(colour);
+        };
+        const Vec3d p = shown(a.data()[i]), q = shown(b.data()[i]);
         const double size = std::max({max_norm(p), max_norm(q), mean});
-        off += max_norm(p - q) <= tolerance * size ? 0 : 1;
+        off += max_norm(p - q) <= std::max(tolerance * size, resolution) ? 0 : 1;
     }
     return off;
 }
@@ -146,7 +151,8 @@ std::size_t unlike(ImageView<const Rgb> a, ImageView<const Rgb> b, double tolera
 Check all_of(const Rgb& colour) {
     return [colour](const Sight& sight) {
         const Image<Rgb> truth(sight.colour().size(), colour);
-        const std::size_t off = unlike(truth.view(), sight.colour(), 1e-5);
+        const std::size_t off =
+            unlike(truth.view(), sight.colour(), 1e-5, sight.subject.info->resolution);
         const std::size_t count = sight.shot.size.area();
         return judged(off == 0, off == 0 ? fmt::format("all {} pixels right", count)
                                          : fmt::format("{} of {} pixels wrong", off, count));
@@ -156,7 +162,8 @@ Check all_of(const Rgb& colour) {
 Check as_of(std::function<Scene()> other, double share) {
     return [other = std::move(other), share](const Sight& sight) {
         const Outcome truth = picture(sight.subject, other(), sight.shot.spp);
-        const std::size_t off = unlike(truth.frame.colour.view(), sight.colour(), 1e-4);
+        const std::size_t off =
+            unlike(truth.frame.colour.view(), sight.colour(), 1e-4, sight.subject.info->resolution);
         const auto count = static_cast<double>(sight.shot.size.area());
         return judged(static_cast<double>(off) <= share * count,
                       fmt::format("{} of {} pixels differ", off, count));

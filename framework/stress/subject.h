@@ -82,8 +82,10 @@ Check as_of(std::function<Scene()> other, double share);
 Check if_approximates(Check check);
 
 /// Pixels off by more than `tolerance` of the larger value or, where that is more, of the first
-/// picture's mean; all of them when the sizes differ.
-std::size_t unlike(ImageView<const Rgb> a, ImageView<const Rgb> b, double tolerance);
+/// picture's mean; all of them when the sizes differ. `resolution`: of the technique, see
+/// TechniqueInfo.
+std::size_t unlike(ImageView<const Rgb> a, ImageView<const Rgb> b, double tolerance,
+                   double resolution = 0);
 
 // The rows.
 void add_closed_things(CaseList& list);      // 1, 6, 7, 9

@@ -93,7 +93,8 @@ StressResult is_flipped(const Sight& sight, Thing thing) {
             flipped(x, y) = truth.frame.colour(flipped.width() - 1 - x, y);
         }
     }
-    const std::size_t off = unlike(flipped.view(), sight.colour(), 1e-4);
+    const std::size_t off =
+        unlike(flipped.view(), sight.colour(), 1e-4, sight.subject.info->resolution);
     const auto count = static_cast<double>(sight.shot.size.area());
     return judged(static_cast<double>(off) <= rims * count,
                   fmt::format("{} of {} pixels differ", off, count));

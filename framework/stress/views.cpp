@@ -149,7 +149,8 @@ void add_projections(CaseList& list) {
             },
             [colour, width](const Sight& sight) {
                 const Image<Rgb> plain(sight.shot.size, colour);
-                const std::size_t off = unlike(plain.view(), sight.colour(), 1e-5);
+                const std::size_t off =
+                    unlike(plain.view(), sight.colour(), 1e-5, sight.subject.info->resolution);
                 return judged(off <= (width < 1 ? 0u : 1u), fmt::format("{} pixels differ", off));
             });
     }
@@ -158,7 +159,8 @@ void add_projections(CaseList& list) {
         [] { return painted(Thing::sphere, of_kind(Projection::fisheye, 360, 10)); },
         [](const Sight& sight) {
             const Rgb corner = sight.colour()(0, 0), middle = sight.colour()(16, 12);
-            const bool right = corner == Rgb(0) && max_norm(middle - paint) < 1e-5f;
+            const float allowed = std::max(1e-5f, sight.subject.info->resolution);
+            const bool right = corner == Rgb(0) && max_norm(middle - paint) < allowed;
             return judged(right, fmt::format("corner {:g}, middle {:g}", corner.x, middle.x));
         });
 }

@@ -40,6 +40,9 @@ struct TechniqueInfo {
     Sweep sweep{};
     /// Whether its picture is meant to be the baseline's; else its error against that says nothing.
     bool approximates = true;
+    /// By how much a channel may be off, in linear light, because colours come in steps and end at
+    /// white; 0: neither. What is brighter than white is then as good as white.
+    float resolution = 0;
     /// Extreme cases of its own, besides those that every technique goes through. `info` is this
     /// entry, or that of a homework with the same steps; `full`: at the stated size, else a quick
     /// one's.

@@ -24,6 +24,7 @@ struct MaterialShader {
     const Refraction* medium;               ///< what the ray came through; null: nothing
     const KnownShadows* shadows = nullptr;  ///< answers for this point, where there are any
     std::size_t point = 0;                  ///< its number there
+    ShadedParts* parts = nullptr;           ///< told of this point's parts, where there are any
 
     Rgb operator()(const Lambert& material) const {
         const auto no_highlight = [](const Vec3d&) { return Rgb(0); };
@@ -81,6 +82,7 @@ struct MaterialShader {
                 tracer, scene, surface, ray, kind, key.branch(layers).branch(i), depth, medium};
             const Rgb light = std::visit(below, scene.materials[layer.material]);
             colour = colour * (Rgb(1) - blend) + times(blend, light);
+            if (parts != nullptr) parts->layer(point, blend, light);
         }
         return colour;
     }
@@ -111,6 +113,9 @@ struct MaterialShader {
 
     Rgb albedo(const Rgb& color, TextureId texture) const {
         if (texture == no_texture) return color;
+        if (parts != nullptr && parts->has_words(texture)) {
+            return parts->from_words(texture, surface.uv);
+        }
         const double cosine = glm::dot(surface.normal, ray.direction) / glm::length(ray.direction);
         return colour_at(scene.textures[texture], {surface.uv, cosine});
     }
@@ -140,6 +145,7 @@ struct MaterialShader {
     Rgb lit(const Rgb& albedo, Highlight&& highlight) const {
         ++counts().shades;
         Rgb diffuse = scene.settings.ambient_light, specular(0);
+        if (parts != nullptr) parts->lit(point, albedo);
         if (!needs(Part::direct_light)) return albedo * diffuse + specular;
         counts().did(Part::direct_light);
         for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -168,8 +174,11 @@ struct MaterialShader {
         const bool blocked = is_blocked(light, sample.shadow, dark);
         if (dark || blocked) return;
         const double cosine = glm::dot(surface.normal, sample.to_light);
-        diffuse += sample.irradiance * static_cast<float>(cosine);
-        specular += sample.highlight * highlight(sample.to_light);
+        const Rgb more = sample.irradiance * static_cast<float>(cosine);
+        const Rgb gleam = sample.highlight * highlight(sample.to_light);
+        diffuse += more;
+        specular += gleam;
+        if (parts != nullptr) parts->light(point, light, more, gleam);
     }
 
     bool is_blocked(std::size_t light, const Ray& shadow, bool dark) const {
@@ -198,19 +207,26 @@ Rgb Whitted::radiance(RayKind kind, const Ray& ray, Key key, int depth,
 
 Rgb Whitted::shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth,
                    const Refraction* medium) const {
+    return shade_and_log(kind, ray, hit, key, depth, medium, nullptr, 0);
+}
+
+Rgb Whitted::shade_and_log(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth,
+                           const Refraction* medium, ShadedParts* parts, std::size_t point) const {
     if (!hit) return sky(ray);
     RayLog::Branch branch(tracer_->log());
     branch.follow();
     const Surface surface = surface_at(*scene_, ray, hit, needs_, tracer_->counts());
-    return std::visit(MaterialShader{*this, *scene_, surface, ray, kind, key, depth, medium},
+    return std::visit(MaterialShader{*this, *scene_, surface, ray, kind, key, depth, medium,
+                                     nullptr, point, parts},
                       material_of(*scene_, hit));
 }
 
 void Whitted::shade(RayKind kind, std::span<const Ray> rays, std::span<const Hit> hits,
-                    std::span<const Key> keys, std::span<Rgb> light) const {
+                    std::span<const Key> keys, std::span<Rgb> light, ShadedParts* parts) const {
     if (tracer_->log() != nullptr) {  // which wants the rays of each path together
-        for (std::size_t i = 0; i < rays.size(); ++i)
-            light[i] = shade(kind, rays[i], hits[i], keys[i]);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            light[i] = shade_and_log(kind, rays[i], hits[i], keys[i], 0, nullptr, parts, i);
+        }
         return;
     }
     std::vector<Surface> surfaces(rays.size());
@@ -228,7 +244,7 @@ void Whitted::shade(RayKind kind, std::span<const Ray> rays, std::span<const Hit
         const MaterialShader shader{*this,   *scene_, surfaces[i],
                                     rays[i], kind,    keys[i],
                                     0,       nullptr, shadows ? &*shadows : nullptr,
-                                    i};
+                                    i,       parts};
         light[i] = std::visit(shader, material_of(*scene_, hits[i]));
     }
 }

@@ -2,6 +2,7 @@
 
 #include "framework/math/rng.h"
 #include "framework/scene/scene.h"
+#include "framework/trace/shaded_parts.h"
 #include "framework/trace/surface.h"
 #include "framework/trace/tracer.h"
 
@@ -25,13 +26,17 @@ class Whitted {
                             const Refraction* medium = nullptr) const;
 
     /// The same for neighbours at depth 0, light[i] of rays[i]; lights that stand in one place are
-    /// asked for all of them at once. Bit for bit the same, and as many rays.
+    /// asked for all of them at once. Bit for bit the same, and as many rays. `parts`, where given,
+    /// are told what the light is made of.
     void shade(RayKind kind, std::span<const Ray> rays, std::span<const Hit> hits,
-               std::span<const Key> keys, std::span<Rgb> light) const;
+               std::span<const Key> keys, std::span<Rgb> light, ShadedParts* parts = nullptr) const;
 
  private:
     friend struct MaterialShader;
     [[nodiscard]] Rgb sky(const Ray& ray) const;
+    [[nodiscard]] Rgb shade_and_log(RayKind kind, const Ray& ray, const Hit& hit, Key key,
+                                    int depth, const Refraction* medium, ShadedParts* parts,
+                                    std::size_t point) const;
 
     const Scene* scene_;
     Needs needs_;

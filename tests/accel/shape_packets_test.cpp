@@ -88,6 +88,21 @@ TEST_P(ShapePackets, MeetWhatSingleRaysMeet) {
     EXPECT_GT(exits, 100);
 }
 
+TEST_P(ShapePackets, MeetNothingAtTheVeryEndsOfARay) {
+    const auto t_between = [](float t_min, float t_max) {
+        RayPacket rays;
+        rays.t_min = t_min;
+        rays.add({0, 0, 1}, t_max);
+        wide::ShapeHits met;
+        meet(Sphere{{0, 0, 3}, 1}, nullptr, rays, wide::kernels(GetParam()), met);
+        return met.t[0];
+    };
+    EXPECT_EQ(t_between(0, infinite), 2);
+    EXPECT_EQ(t_between(2, infinite), 4);
+    EXPECT_EQ(t_between(0, 2), infinite);
+    EXPECT_EQ(t_between(2, 4), infinite);
+}
+
 TEST_P(ShapePackets, LeaveOtherShapesAlone) {
     wide::ShapeHits met;
     EXPECT_FALSE(meet(Mesh{}, nullptr, RayPacket(), wide::kernels(GetParam()), met));
@@ -96,6 +111,25 @@ TEST_P(ShapePackets, LeaveOtherShapesAlone) {
 
 INSTANTIATE_TEST_SUITE_P(All, ShapePackets, ::testing::ValuesIn(usable_isas()),
                          [](const auto& level) { return std::string(to_string(level.param)); });
+
+/// A floor without end, which is met before all else, and the top of a cube in it.
+TEST(Accelerator, GivesTiesToTheLowerNodeInPackets) {
+    Scene scene;
+    scene.geometries = {Cube{{0, -0.5, 0}, 1}, Plane{}};
+    scene.materials.emplace_back(Lambert{});
+    add_node(scene, "cube", 0, 0, {});
+    add_node(scene, "floor", 1, 0, {});
+    const auto accelerator = build_accelerator(scene);
+    RayPacket rays;
+    rays.origin = {0, 2, 0};
+    rays.add({0, -1, 0}, infinite);
+    rays.add({1, -1, 0}, infinite);
+    HitPacket hits;
+    WorkCounts work;
+    accelerator->closest(rays, hits, work);
+    EXPECT_EQ(hits.hit(0), (Hit{2, 0, 0, 0, 3}));
+    EXPECT_EQ(hits.hit(1), (Hit{2, 0, 0, 1, 0}));
+}
 
 TEST(Accelerator, ImprovesHitsWithOneNode) {
     Scene scene;

@@ -122,15 +122,21 @@ TEST_F(Bench, MixesTwoFramesInEveryRepresentationWithinHalfALevel) {
     const JsonDocument document = written();
     EXPECT_EQ(number_at(document.root(), "width"), 130);
     const JsonValue modes = document.root().member("modes").value();
-    ASSERT_EQ(modes.size(), 7u);
+    ASSERT_EQ(modes.size(), 13u);
     for (std::size_t i = 0; i < modes.size(); ++i) {
         const JsonValue mode = modes.at(i);
         const bool floats = text_at(mode, "mode").starts_with("float");
-        EXPECT_EQ(number_at(mode, "bytes_per_pixel"), floats ? 36 : 12);
+        const double bytes = number_at(mode, "bytes_per_pixel");
+        EXPECT_GE(bytes, floats ? 36 : 12);
+        EXPECT_TRUE(i >= 9 || bytes == (floats ? 36 : 12)) << bytes;
         EXPECT_GT(number_at(mode, "frame_ns_per_pixel"), 0);
+        EXPECT_GT(number_at(mode, "again_ns_per_pixel"), 0);
         EXPECT_GT(number_at(mode, "tile_ns_per_pixel"), 0);
-        // Half of the sums of two bytes are odd.
-        EXPECT_NEAR(number_at(mode, "worst_error"), floats ? 0 : 0.5, 1e-4) << i;
+        // Half of the sums of two bytes are odd; a product's remainder is 127/255 at most; a texel
+        // is the same either way.
+        const bool texture = text_at(mode, "mode").ends_with("texture");
+        const double expected = floats || texture ? 0 : i < 9 ? 0.5 : 0.498;
+        EXPECT_NEAR(number_at(mode, "worst_error"), expected, 1e-3) << i;
     }
     EXPECT_EQ(number_at(modes.at(0), "frame_ratio"), 1);
 }

@@ -8,8 +8,8 @@ namespace {
 TEST(BenchMix, RoundsByHalfALevelAtMostWithAllInstructions) {
     for (const Isa isa : usable_isas()) {
         for (const MixSpeed& speed : raced({.size = {65, 3}, .rounds = 1, .isa = isa})) {
-            const bool floats = speed.mode.starts_with("float");
-            EXPECT_NEAR(speed.worst_error, floats ? 0 : 0.5, 1e-4)
+            const bool exact = speed.mode.starts_with("float") || speed.mode.ends_with("texture");
+            EXPECT_NEAR(speed.worst_error, exact ? 0 : 0.5, 5e-3)
                 << speed.mode << " on " << to_string(isa);
         }
     }

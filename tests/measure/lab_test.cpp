@@ -2,6 +2,7 @@
 
 #include "framework/base/error.h"
 #include "framework/measure/findings.h"
+#include "framework/measure/lab_point.h"
 #include "tests/measure/samples.h"
 #include "tests/measure/toys.h"
 #include "tests/testing/own_folder.h"
@@ -79,6 +80,13 @@ TEST(Lab, MeasuresErrorsAsDisplayedAndTheSlopesInLinearLight) {
     const LabPoint point = lab_of(off).series[0].points[0];
     EXPECT_NEAR(point.errors.rmse, srgb_encoded(0.75f) - srgb_encoded(0.25f), 1e-6);
     EXPECT_NEAR(point.linear_rmse, 0.5, 1e-6);
+}
+
+TEST(Lab, TakesWhatIsBrighterThanWhiteForWhiteWhereATechniquesColoursEndThere) {
+    const TruthPicture truth = truth_picture({}, Image<Rgb>({2, 1}, Rgb(5, 1, 0.5f)));
+    EXPECT_DOUBLE_EQ(rmse_within_white(truth, Image<Rgb>({2, 1}, Rgb(1, 2, 0.5f))), 0);
+    EXPECT_DOUBLE_EQ(rmse_within_white(truth, Image<Rgb>({2, 1}, Rgb(1, 1, 0.25f))),
+                     std::sqrt(0.25 * 0.25 / 3));
 }
 
 TEST(Lab, ComparesSamplesWithATruthOfTheirOwnAndEverythingWithThatTruthToo) {

@@ -173,5 +173,14 @@ TEST(StressJudge, CallsTwoPicturesUnlikeBySizeNotByAnAbsoluteNumber) {
     EXPECT_EQ(unlike(small.view(), off.view(), 1), 1u);
 }
 
+/// A technique whose colours come in steps and end at white.
+TEST(Unlike, AllowsAStepAndTakesWhatIsBrighterForWhite) {
+    const Image<Rgb> truth({2, 1}, Rgb(3)), white({2, 1}, Rgb(1)), dim({2, 1}, Rgb(0.97f));
+    EXPECT_EQ(unlike(truth.view(), white.view(), 0, 0.02), 0u);
+    EXPECT_EQ(unlike(truth.view(), white.view(), 0), 2u);
+    EXPECT_EQ(unlike(truth.view(), dim.view(), 0, 0.02), 2u);
+    EXPECT_EQ(unlike(truth.view(), dim.view(), 0, 0.04), 0u);
+}
+
 }  // namespace
 }  // namespace luch::stress

@@ -75,9 +75,9 @@ void meet_plane(const Plane& plane, const ShapeRays& rays, ShapeHits& hits) {
     const double height = plane.y, limit = plane.limit;
     Stretches at;
     for (int i = 0; i < rays.packet->count; ++i) {
-        const double t = (height - y) / d.y[i];
-        const bool inside = (std::abs(x + t * d.x[i]) <= limit) &
-                            (std::abs(z + t * d.z[i]) <= limit) & (d.y[i] != 0);
+        const double t = (height - y) / d.y[i];  // not finite where the ray runs along the plane
+        const bool inside =
+            (std::abs(x + t * d.x[i]) <= limit) & (std::abs(z + t * d.z[i]) <= limit);
         at.in[i] = at.out[i] = inside ? t : std::numeric_limits<double>::quiet_NaN();
     }
     keep_first(at, *rays.packet, hits);
@@ -99,8 +99,7 @@ void meet_sphere(const Sphere& sphere, const ShapeRays& rays, ShapeHits& hits) {
         const double px = x + s * d.x[i], py = y + s * d.y[i], pz = z + s * d.z[i];
         const double discriminant = r * r - (px * px + py * py + pz * pz);
         const double q = half_b + std::copysign(std::sqrt(a * discriminant), half_b);
-        const double one = q / a, ratio = product / q;
-        const double other = q != 0 ? ratio : one;
+        const double one = q / a, other = product / q;  // q = 0: other is not finite, nor taken
         const bool met = discriminant >= 0;
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         at.in[i] = met ? (other < one ? other : one) : none;

@@ -44,10 +44,46 @@ void mix(const T* __restrict a, const T* __restrict b, T* __restrict to, std::si
     for (std::size_t i = 0; i < n; ++i) to[i] = half(a[i], b[i]);
 }
 
-constexpr Kernels kernels{mix_alone<float>,         mix<float>,
-                          mix_alone<std::uint8_t>,  mix<std::uint8_t>,
-                          mix_alone<std::uint32_t>, mix_alone<std::uint64_t>,
-                          mix<std::uint32_t>};
+template <class T>
+void mix_in_place(T* __restrict a, const T* __restrict b, std::size_t n) {
+    for (std::size_t i = 0; i < n; ++i) a[i] = half(a[i], b[i]);
+}
+
+float composed(float albedo, float a, float b, float c, float highlights, float rest) {
+    return albedo * (a + b + c) + highlights + rest;
+}
+
+/// A sum that ran over is less than what went into it: filled in bytes, without wider numbers.
+std::uint8_t saturated(std::uint8_t a, std::uint8_t b) {
+    const auto sum = static_cast<std::uint8_t>(a + b);
+    return sum < a ? std::uint8_t{255} : sum;
+}
+std::uint8_t product(std::uint8_t a, std::uint8_t b) {
+    const auto t = static_cast<std::uint16_t>(a * b + 128);
+    return static_cast<std::uint8_t>(static_cast<std::uint16_t>(t + (t >> 8)) >> 8);
+}
+std::uint8_t composed(std::uint8_t albedo, std::uint8_t a, std::uint8_t b, std::uint8_t c,
+                      std::uint8_t highlights, std::uint8_t rest) {
+    return saturated(saturated(product(albedo, saturated(saturated(a, b), c)), highlights), rest);
+}
+
+template <class T>
+void compose(const Planes<T>& planes, std::size_t n) {
+    const T *__restrict albedo = planes.albedo, *__restrict a = planes.lights[0],
+                        *__restrict b = planes.lights[1], *__restrict c = planes.lights[2],
+                        *__restrict highlights = planes.highlights, *__restrict rest = planes.rest;
+    T* __restrict to = planes.to;
+    for (std::size_t i = 0; i < n; ++i) {
+        to[i] = composed(albedo[i], a[i], b[i], c[i], highlights[i], rest[i]);
+    }
+}
+
+constexpr Kernels kernels{mix_alone<float>,           mix<float>,
+                          mix_alone<std::uint8_t>,    mix<std::uint8_t>,
+                          mix_alone<std::uint32_t>,   mix_alone<std::uint64_t>,
+                          mix<std::uint32_t>,         mix_in_place<float>,
+                          mix_in_place<std::uint8_t>, compose<float>,
+                          compose<std::uint8_t>};
 
 }  // namespace
 

@@ -1,0 +1,32 @@
+#include "framework/baseline/deferred.h"
+
+namespace luch {
+
+void DeferredPixels::shade(const Scene& scene, const Needs& needs, Tracer& tracer) {
+    light.resize(rays.size());
+    parts.reset(rays.size(), scene.lights.size());
+    Whitted(scene, needs, tracer).shade(RayKind::primary, rays, hits, keys, light, &parts);
+}
+
+void defer_tile(const Scene& scene, const Shot& shot, const Tile& tile, int sample,
+                const Needs& needs, Tracer& tracer, DeferredPixels& pixels) {
+    pixels.shoot(Screen(shot.camera, shot.size), shot, tile, sample, needs, tracer);
+    pixels.shade(scene, needs, tracer);
+}
+
+void defer_edges(const Scene& scene, const Shot& shot, const Tile& tile, int sample,
+                 ImageView<const std::uint8_t> edges, const Needs& needs, Tracer& tracer,
+                 DeferredPixels& pixels) {
+    const Screen screen(shot.camera, shot.size);
+    const Vec2d& off = antialias_places[static_cast<std::size_t>(sample)];
+    pixels.clear();
+    for_each_pixel(tile, [&](int x, int y) {
+        if (edges(x, y) == 0) return;
+        pixels.add(x, y, screen.ray(x + 0.5 + off.x, y + 0.5 + off.y),
+                   radiance_key(shot, x, y, sample + 1));
+    });
+    pixels.trace(tracer);
+    pixels.shade(scene, needs, tracer);
+}
+
+}  // namespace luch
