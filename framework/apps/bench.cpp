@@ -18,7 +18,9 @@ constexpr Part parts[] = {{"rays", bench_rays, "meshes: .obj files, or bumpy"},
 #ifdef LUCH_ITEM_BUFFER
                           {"raster", bench_raster, "meshes: .obj files, or bumpy"},
 #endif
+#ifdef LUCH_WORDS
                           {"mix", bench_mix, ""},
+#endif
                           {"frame", bench_frame, "scene files"}};
 
 constexpr int not_given = std::numeric_limits<int>::min();

@@ -1,6 +1,7 @@
 #include "techniques/ldr/canvas.h"
 
 #include "framework/technique/context.h"
+#include "techniques/ldr/swar.h"
 
 #include <algorithm>
 

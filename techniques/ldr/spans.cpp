@@ -1,5 +1,7 @@
 #include "techniques/ldr/spans.h"
 
+#include "techniques/ldr/swar.h"
+
 // Compiled once for every level. No intrinsics: what is fast here is what the compiler makes of
 // plain loops over the right representation.
 namespace luch::techniques::ldr {

@@ -1,4 +1,4 @@
-#include "techniques/ldr/word.h"
+#include "techniques/ldr/swar.h"
 
 #include <gtest/gtest.h>
 

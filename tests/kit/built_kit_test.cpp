@@ -26,33 +26,51 @@ struct Topic {
     int tasks, points;
     /// What a student would have written, below techniques/NAME.
     std::vector<std::string> solution;
-    /// Arguments of the technique here, and scenes where the kit's makes the same picture.
-    std::string reference;
+    /// What must read otherwise in one file with the rest: from, to.
+    std::vector<std::pair<std::string, std::string>> changes;
+    /// Arguments of the technique here and of the kit's, and scenes where both make one picture.
+    std::string reference, yours;
     std::vector<std::string> scenes;
-    /// Arguments of the kit's for it.
-    std::string yours;
 };
 
 void PrintTo(const Topic& topic, std::ostream* out) {
     *out << topic.name;
 }
 
-const Topic vista{
-    "vista",
-    7,
-    28,
-    {"tessellate.cpp", "steps.cpp"},
-    "-p mode=classic",
-    {"homework/vista/scenes/balls.scene", "scenes/spheres/spheres.scene --size 80x60"},
-    ""};
 const Topic layered{
-    "layered",
-    5,
-    22,
-    {"confusion.cpp", "steps.cpp"},
-    "-p mode=classic",
-    {"homework/layered/scenes/posts.scene", "scenes/fence/fence.scene --size 80x60"},
-    "-p mode=classic"};
+    .name = "layered",
+    .tasks = 5,
+    .points = 22,
+    .solution = {"confusion.cpp", "steps.cpp"},
+    .changes = {},
+    .reference = "-p mode=classic",
+    .yours = "-p mode=classic",
+    .scenes = {"homework/layered/scenes/posts.scene", "scenes/fence/fence.scene --size 80x60"}};
+
+const Topic ldr{.name = "ldr",
+                .tasks = 7,
+                .points = 28,
+                .solution = {"swar.h", "spans.h", "spans.cpp", "steps.cpp"},
+                // One file instead of a kernel for each processor.
+                .changes = {{"#define LUCH_NAME(", "#define LUCH_LEVEL plain\n#define LUCH_NAME("},
+                            {"constexpr Spans spans{", "constexpr Spans loops{"},
+                            {"return spans;", "return loops;"}},
+                .reference = "",
+                .yours = "",
+                .scenes = {"scenes/toys/toys.scene --size 80x60",
+                           "scenes/toys/toys.scene --size 80x60 --spp 2 -p wide=off",
+                           "homework/ldr/scenes/flat.scene --size 40x30 --spp 3"}};
+
+const Topic vista{
+    .name = "vista",
+    .tasks = 7,
+    .points = 28,
+    .solution = {"tessellate.cpp", "steps.cpp"},
+    .changes = {},
+    .reference = "-p mode=classic",
+    .yours = "",
+    .scenes = {"homework/vista/scenes/balls.scene", "scenes/spheres/spheres.scene --size 80x60"}};
+
 const std::string balls = vista.scenes[0], posts = layered.scenes[0];
 
 std::string homework(const Topic& topic) {
@@ -81,7 +99,8 @@ std::string solution(const Topic& topic) {
         std::istringstream lines(read_text(root / technique / file));
         for (std::string line; std::getline(lines, line);) {
             // Its headers are not in the kit, but for those that the skeleton includes.
-            if (!line.starts_with("#include \"" + technique)) text += line + "\n";
+            if (line.starts_with("#include \"" + technique) || line == "#pragma once") continue;
+            text += line + "\n";
         }
     }
     for (std::size_t file = 0; file < topic.solution.size(); ++file) {
@@ -90,6 +109,7 @@ std::string solution(const Topic& topic) {
                     " {\nusing namespace techniques::" + topic.name + ";");
     }
     replace(text, "Steps reference() {", "Steps steps() {");
+    for (const auto& [from, to] : topic.changes) replace(text, from, to);
     return text + "namespace luch::homework::" + topic.name + " {\n" +
            given.substr(given.find("TechniqueInfo describe() {"));
 }
@@ -137,7 +157,7 @@ class BuiltKit : public ::testing::Test {
 
 class BuiltKitOf : public BuiltKit, public ::testing::WithParamInterface<Topic> {};
 
-INSTANTIATE_TEST_SUITE_P(Homework, BuiltKitOf, ::testing::Values(layered, vista),
+INSTANTIATE_TEST_SUITE_P(Homework, BuiltKitOf, ::testing::Values(layered, ldr, vista),
                          [](const auto& topic) { return topic.param.name; });
 
 TEST_P(BuiltKitOf, ScoresItsFloor) {
