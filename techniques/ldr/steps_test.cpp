@@ -2,6 +2,7 @@
 #include "framework/math/rng.h"
 #include "techniques/ldr/ldr.h"
 #include "techniques/ldr/spans.h"
+#include "techniques/ldr/swar.h"
 #include "tests/testing/kernel_objects.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // Mistakes that students make, by task: each is the reference with one step spoilt.
 #include "homework/ldr/check/others.h"
+#include "techniques/ldr/swar.h"
 
 #include <algorithm>
 #include <cmath>
