@@ -57,6 +57,8 @@ class SceneLab {
     TruthPicture judge(LabSeries& series, const std::vector<Measurement>& measurements,
                        const Subject& subject);
     LabSeries series_by_parameter(const TechniqueInfo& info);
+    /// What a technique that goes by no samples is to show.
+    [[nodiscard]] const TruthPicture& approximated_by(const TechniqueInfo& info) const;
     LabPoint point_by_parameter(const Subject& subject);
     std::optional<LeftOutCost> left_out_cost(const LabPoint& point, const std::string& setting,
                                              const Subject& subject);
@@ -161,21 +163,31 @@ void SceneLab::measure_baseline() {
                      at_one.outcome.frame.colour, frame_truth_);
 }
 
+const TruthPicture& SceneLab::approximated_by(const TechniqueInfo& info) const {
+    const bool many_samples = info.whole_lens && scene_->shot.camera.has_lens() && converged_;
+    return many_samples ? *converged_ : frame_truth_;
+}
+
 LabPoint SceneLab::point_by_parameter(const Subject& subject) {
     const Measurement measurement = measured_once(subject, &baseline_);
-    LabPoint point = point_of(measurement, frame_truth_, converged_ ? &*converged_ : nullptr);
+    const TruthPicture& truth = approximated_by(*subject.info);
+    LabPoint point = point_of(measurement, truth, converged_ ? &*converged_ : nullptr);
     if (subject.info->resolution > 0 && point.ran()) {
-        point.linear_rmse = rmse_within_white(frame_truth_, measurement.outcome.frame.colour);
+        point.linear_rmse = rmse_within_white(truth, measurement.outcome.frame.colour);
     }
     pictures_.add_to(point, fmt::format("{} {}", subject.info->name, subject.assignment),
-                     measurement.outcome.frame.colour, frame_truth_);
+                     measurement.outcome.frame.colour, truth);
     return point;
 }
 
 LabSeries SceneLab::series_by_parameter(const TechniqueInfo& info) {
-    LabSeries series{
-        std::string(info.name), std::string(info.title), "", frame_truth_.facts.name, {}, false,
-        info.sweep.slope};
+    LabSeries series{std::string(info.name),
+                     std::string(info.title),
+                     "",
+                     approximated_by(info).facts.name,
+                     {},
+                     false,
+                     info.sweep.slope};
     Subject subject{&info, "", 1, scene_->budget.skip};
     if (info.sweep.values.empty()) series.points.push_back(point_by_parameter(subject));
     for (const double value : info.sweep.values) {

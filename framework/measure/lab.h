@@ -43,8 +43,9 @@ struct LabScene {
     std::string content;
 };
 
-/// Runs every technique along its sweep against the baseline's frame, and the baseline and all
-/// others that go by samples a pixel against converged pictures of their own. What cannot be run (a
+/// Runs every technique along its sweep against the baseline's frame (those that show a whole lens
+/// where there is one: against its converged picture), and the baseline and all others that go by
+/// samples a pixel against converged pictures of their own. What cannot be run (a
 /// plan that does not apply, an exception) becomes a row that says why; only a baseline that cannot
 /// be run throws Error.
 SceneReport run_lab(const LabScene& scene, const TechniqueInfo& baseline,

@@ -10,12 +10,16 @@
 namespace luch {
 namespace {
 
-std::string accuracy(const SceneReport& scene, const LabPoint& point) {
+std::string accuracy(const SceneReport& scene, const LabSeries& series, const LabPoint& point) {
     if (point.errors.non_finite.count > 0) {
         return fmt::format("{} pixels are not finite", grouped(point.errors.non_finite.count));
     }
     if (point.identical) return "exact, bit for bit";
     if (point.errors.differing == 0) return "no displayed pixel differs";
+    const LabTruth* const truth = scene.truth(series.truth);
+    if (truth != nullptr && !truth->exact) {
+        return fmt::format("RMSE {} against {}", three_digits(point.errors.rmse), truth->name);
+    }
     const std::uint64_t off = point.errors.differing;
     return fmt::format("RMSE {}, {} ({}) off", three_digits(point.errors.rmse),
                        counted(off, "pixel"),
@@ -23,8 +27,9 @@ std::string accuracy(const SceneReport& scene, const LabPoint& point) {
 }
 
 std::string pace(double speedup) {
-    return speedup >= 1 ? fmt::format("{} × faster than the baseline", three_digits(speedup))
-                        : fmt::format("{} × slower than the baseline", three_digits(1 / speedup));
+    return speedup >= 1
+               ? fmt::format("{} × faster than the baseline's frame", three_digits(speedup))
+               : fmt::format("{} × slower than the baseline's frame", three_digits(1 / speedup));
 }
 
 std::string verdict(const SceneReport& scene, const LabSeries& series) {
@@ -35,7 +40,7 @@ std::string verdict(const SceneReport& scene, const LabSeries& series) {
     }
     const std::string setting = series.setting(*best);
     return fmt::format("{}{}: {}; {}, {} of its rays", series.technique,
-                       setting.empty() ? "" : " at " + setting, accuracy(scene, *best),
+                       setting.empty() ? "" : " at " + setting, accuracy(scene, series, *best),
                        pace(scene.speedup(*best)),
                        percent(static_cast<double>(best->counts.all_rays()),
                                static_cast<double>(scene.baseline.counts.all_rays())));

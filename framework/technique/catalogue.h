@@ -40,6 +40,9 @@ struct TechniqueInfo {
     Sweep sweep{};
     /// Whether its picture is meant to be the baseline's; else its error against that says nothing.
     bool approximates = true;
+    /// Whether one frame shows what all points of a lens see: where the camera has one, its truth
+    /// is the baseline's picture of many samples.
+    bool whole_lens = false;
     /// By how much a channel may be off, in linear light, because colours come in steps and end at
     /// white; 0: neither. What is brighter than white is then as good as white.
     float resolution = 0;

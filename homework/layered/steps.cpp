@@ -61,6 +61,7 @@ TechniqueInfo describe() {
             .topic = "4. layers and depth of field",
             .create = [] { return make(steps()); },
             .sweep = {"layers", layers_sweep},
+            .whole_lens = true,
             .stress_cases = stress_cases};
 }
 

@@ -49,9 +49,10 @@ LabOptions small() {
 }
 
 SceneReport lab_of(const TechniqueInfo& info, const LabOptions& options = small(),
-                   const std::string& content = "") {
+                   const std::string& content = "", bool lens = false) {
     Scene scene = testing::one_triangle();
     scene.settings.frame = {24, 16};
+    scene.camera.depth_of_field = lens;
     const OwnStudio studio(std::move(scene), 1);
     const Budget budget;
     const LabScene in{"tiny", studio.studio(), shot_of(studio.scene()), budget, content};
@@ -103,6 +104,18 @@ TEST(Lab, ComparesSamplesWithATruthOfTheirOwnAndEverythingWithThatTruthToo) {
     ASSERT_TRUE(exact.converged);
     EXPECT_GT(exact.converged->rmse, 0);  // the baseline's frame is not the converged one
     EXPECT_LT(exact.converged->rmse, report.series[0].points[0].converged->rmse);
+}
+
+TEST(Lab, ComparesWhatShowsAWholeLensWithManySamplesOfIt) {
+    TechniqueInfo info = off;
+    info.whole_lens = true;
+    const SceneReport with_lens = lab_of(info, small(), "", true);
+    const LabSeries& series = with_lens.series[0];
+    EXPECT_EQ(series.truth, with_lens.converged);
+    EXPECT_EQ(series.points[0].errors.rmse, series.points[0].converged->rmse);
+    EXPECT_THAT(verdicts(with_lens)[0], ::testing::HasSubstr(" against noisy, "));
+    EXPECT_EQ(lab_of(info).series[0].truth, "noisy, 1 sample a pixel") << "there is no lens";
+    EXPECT_EQ(lab_of(off, small(), "", true).series[0].truth, "noisy, 1 sample a pixel");
 }
 
 TEST(Lab, MakesTheTruthBetterUntilItIsGoodEnoughAndSaysHowGoodItIs) {
