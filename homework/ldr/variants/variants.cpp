@@ -1,5 +1,6 @@
 // Honest solutions: other arithmetic, other order, and each as good as the reference.
 #include "homework/ldr/check/others.h"
+#include "techniques/ldr/swar.h"
 
 #include <algorithm>
 #include <cmath>
