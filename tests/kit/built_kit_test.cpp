@@ -51,10 +51,15 @@ const Topic ldr{.name = "ldr",
                 .tasks = 7,
                 .points = 28,
                 .solution = {"swar.h", "spans.h", "spans.cpp", "steps.cpp"},
-                // One file instead of a kernel for each processor.
+                // One file instead of a kernel for each processor; and what is given is the kit's.
                 .changes = {{"#define LUCH_NAME(", "#define LUCH_LEVEL plain\n#define LUCH_NAME("},
                             {"constexpr Spans spans{", "constexpr Spans loops{"},
-                            {"return spans;", "return loops;"}},
+                            {"return spans;", "return loops;"},
+                            {"void gather(std", "[[maybe_unused]] void gather(std"},
+                            {"void tint(std", "[[maybe_unused]] void tint(std"},
+                            {"resolve, gather, tint}",
+                             "resolve, techniques::ldr::reference().gather, "
+                             "techniques::ldr::reference().tint}"}},
                 .reference = "",
                 .yours = "",
                 .scenes = {"scenes/toys/toys.scene --size 80x60",
@@ -208,6 +213,16 @@ TEST_F(BuiltKit, OpensTheViewerAndMakesNoKits) {
     EXPECT_EQ(luch("kit out/kit").status, 2) << "a kit makes no kits";
 }
 
+/// Nothing but a sky, through a lens.
+std::string sky_scene() {
+    const std::string name = "out/sky.scene";
+    write_text(kit / name,
+               "GlobalSettings {\n frameWidth 32\n frameHeight 24\n"
+               " backgroundColor (0.75, 0.75, 0.75)\n}\n"
+               "Camera eye {\n pos (0, 0, 0)\n dof on\n}\n");
+    return name;
+}
+
 /// Two greys, in stripes.
 void expect_hatched(const Image<Rgb>& picture) {
     std::vector<float> greys;
@@ -251,10 +266,12 @@ TEST_F(BuiltKit, PutsStoredCutsAndCirclesInThePlaceOfStepsThatAreNotWritten) {
     EXPECT_THAT(luch("render " + posts + " -t homework/layered -o out/a.png").text,
                 HasSubstr("layered.t2 is still to be written"));
     // Elsewhere nobody knows.
-    write_text(kit / "out/sky.scene",
-               "GlobalSettings {\n frameWidth 32\n frameHeight 24\n"
-               " backgroundColor (0.5, 0.5, 0.5)\n}\nCamera eye {\n pos (0, 0, 0)\n dof on\n}\n");
-    expect_hatched(picture("build/release/luch", "homework/layered", "out/sky.scene"));
+    expect_hatched(picture("build/release/luch", "homework/layered", sky_scene()));
+}
+
+TEST_F(BuiltKit, HatchesWordsWhileAStepIsNotWritten) {
+    in_kit("cmake --build --preset release --target luch");
+    expect_hatched(picture("build/release/luch", "homework/ldr", sky_scene()));
 }
 
 }  // namespace
