@@ -6,8 +6,10 @@ namespace luch {
 namespace {
 
 /// Adds what rays bring, their hits being known.
-void shade(const Whitted& whitted, const TileRays& tile_rays, ImageView<Rgb> colour) {
+void shade(const Scene& scene, const Needs& needs, Tracer& tracer, const TileRays& tile_rays,
+           const KnownLightOf& known, ImageView<Rgb> colour) {
     std::vector<Rgb> light(tile_rays.rays.size());
+    const Whitted whitted(scene, needs, tracer, known ? known(tile_rays) : KnownLight{});
     whitted.shade(RayKind::primary, tile_rays.rays, tile_rays.hits, tile_rays.keys, light);
     for (std::size_t i = 0; i < light.size(); ++i) {
         const auto& [x, y] = tile_rays.pixels[i];
@@ -33,22 +35,22 @@ bool is_edge(ImageView<const Rgb> image, int x, int y) {
 }  // namespace
 
 void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
-                Tracer& tracer, ImageView<Rgb> colour) {
+                Tracer& tracer, ImageView<Rgb> colour, const KnownLightOf& known) {
     const Screen screen(shot.camera, shot.size);
-    const Whitted whitted(scene, needs, tracer);
     const int samples = sample_count(shot);
     TileRays tile_rays;
     for_each_pixel(tile, [&](int x, int y) { colour(x, y) = Rgb(0); });
     for (int sample = 0; sample < samples; ++sample) {
         tile_rays.shoot(screen, shot, tile, sample, needs, tracer);
-        shade(whitted, tile_rays, colour);
+        shade(scene, needs, tracer, tile_rays, known, colour);
     }
     if (samples == 1) return;
     for_each_pixel(tile, [&](int x, int y) { colour(x, y) /= static_cast<float>(samples); });
 }
 
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
-                Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour) {
+                Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour,
+                const KnownLightOf& known) {
     const Screen screen(shot.camera, shot.size);
     TileRays tile_rays;
     for_each_pixel(tile, [&](int x, int y) {
@@ -56,7 +58,7 @@ void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
         tile_rays.add(x, y, screen.ray(x + 0.5, y + 0.5), radiance_key(shot, x, y, 0));
     });
     for (const auto& [x, y] : tile_rays.pixels) tile_rays.hits.push_back(hits(x, y));
-    shade(Whitted(scene, needs, tracer), tile_rays, colour);
+    shade(scene, needs, tracer, tile_rays, known, colour);
 }
 
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
@@ -65,7 +67,7 @@ void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Ne
     for_each_pixel(tile, [&](int x, int y) { colour(x, y) = Rgb(0); });
     TileRays tile_rays;
     tile_rays.add(shot, tile, 0, rays, hits);
-    shade(Whitted(scene, needs, tracer), tile_rays, colour);
+    shade(scene, needs, tracer, tile_rays, {}, colour);
 }
 
 Image<std::uint8_t> edges_of(ImageView<const Rgb> colour, Context& context) {
@@ -80,23 +82,36 @@ void antialias(const Scene& scene, const Shot& shot, const Needs& needs, Context
                ImageView<Rgb> colour) {
     // The edges are found in the picture as it was, whatever the order of the tiles.
     const Image<std::uint8_t> edges = edges_of(colour, context);
-    const Screen screen(shot.camera, shot.size);
     context.for_each_tile(colour.size(), [&](Tile tile, int worker) {
-        context.tracer(worker).counts().did(Part::anti_aliasing, tile.area());
-        const Whitted whitted(scene, needs, context.tracer(worker));
-        for_each_pixel(tile, [&](int x, int y) {
-            if (edges(x, y) == 0) return;
-            Rgb sum = colour(x, y);
-            for (int i = 0; i < antialias_samples; ++i) {
-                const Vec2d& off = antialias_places[static_cast<std::size_t>(i)];
-                const Ray ray = screen.ray(x + 0.5 + off.x, y + 0.5 + off.y);
-                if (nowhere(ray)) continue;
-                const Key key = radiance_key(shot, x, y, i + 1);
-                sum += whitted.radiance(RayKind::primary, ray, key);
-            }
-            colour(x, y) = sum / static_cast<float>(antialias_samples + 1);
-        });
+        antialias_tile(scene, shot, tile, edges.view(), needs, context.tracer(worker), colour);
     });
+}
+
+void antialias_tile(const Scene& scene, const Shot& shot, const Tile& tile,
+                    ImageView<const std::uint8_t> edges, const Needs& needs, Tracer& tracer,
+                    ImageView<Rgb> colour, const KnownLightOf& known) {
+    tracer.counts().did(Part::anti_aliasing, tile.area());
+    TileRays rays;
+    for (int sample = 0; sample < antialias_samples; ++sample) {
+        shoot_edges(shot, tile, sample, edges, tracer, rays);
+        shade(scene, needs, tracer, rays, known, colour);
+    }
+    for_each_pixel(tile, [&](int x, int y) {
+        if (edges(x, y) != 0) colour(x, y) /= static_cast<float>(antialias_samples + 1);
+    });
+}
+
+void shoot_edges(const Shot& shot, const Tile& tile, int sample,
+                 ImageView<const std::uint8_t> edges, Tracer& tracer, TileRays& rays) {
+    const Screen screen(shot.camera, shot.size);
+    const Vec2d& off = antialias_places[static_cast<std::size_t>(sample)];
+    rays.clear();
+    for_each_pixel(tile, [&](int x, int y) {
+        if (edges(x, y) == 0) return;
+        rays.add(x, y, screen.ray(x + 0.5 + off.x, y + 0.5 + off.y),
+                 radiance_key(shot, x, y, sample + 1));
+    });
+    rays.trace(tracer);
 }
 
 }  // namespace luch

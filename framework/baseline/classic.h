@@ -5,18 +5,24 @@
 #include "framework/trace/whitted.h"
 
 #include <array>
+#include <functional>
 
 namespace luch {
+
+/// What is known of the light at some rays of a tile, their hits being known; asked before they are
+/// shaded. What it points to is used until then only.
+using KnownLightOf = std::function<KnownLight(const TileRays&)>;
 
 /// Fills a tile with the mean of all of a pixel's samples, hits found by tracing. Where there is no
 /// ray it is black.
 void trace_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
-                Tracer& tracer, ImageView<Rgb> colour);
+                Tracer& tracer, ImageView<Rgb> colour, const KnownLightOf& known = {});
 
 /// The same with one sample a pixel, the hits of the pixels' centres being known already (from an
 /// item buffer…). Bit for bit what trace_tile() makes of the same hits.
 void shade_tile(const Scene& scene, const Shot& shot, const Tile& tile, const Needs& needs,
-                Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour);
+                Tracer& tracer, ImageView<const Hit> hits, ImageView<Rgb> colour,
+                const KnownLightOf& known = {});
 
 /// The same when rays and hits are in packets, in the order of for_each_pixel(); the tile has no
 /// more pixels than a packet rays.
@@ -37,5 +43,14 @@ Image<std::uint8_t> edges_of(ImageView<const Rgb> colour, Context& context);
 /// the centre. A heuristic: an edge that no pixel's centre saw stays jagged.
 void antialias(const Scene& scene, const Shot& shot, const Needs& needs, Context& context,
                ImageView<Rgb> colour);
+
+/// A tile of it. `edges` is edges_of() the picture.
+void antialias_tile(const Scene& scene, const Shot& shot, const Tile& tile,
+                    ImageView<const std::uint8_t> edges, const Needs& needs, Tracer& tracer,
+                    ImageView<Rgb> colour, const KnownLightOf& known = {});
+
+/// The rays of its samples and their hits: 0 ≤ sample < antialias_samples.
+void shoot_edges(const Shot& shot, const Tile& tile, int sample,
+                 ImageView<const std::uint8_t> edges, Tracer& tracer, TileRays& rays);
 
 }  // namespace luch

@@ -17,15 +17,7 @@ void defer_tile(const Scene& scene, const Shot& shot, const Tile& tile, int samp
 void defer_edges(const Scene& scene, const Shot& shot, const Tile& tile, int sample,
                  ImageView<const std::uint8_t> edges, const Needs& needs, Tracer& tracer,
                  DeferredPixels& pixels) {
-    const Screen screen(shot.camera, shot.size);
-    const Vec2d& off = antialias_places[static_cast<std::size_t>(sample)];
-    pixels.clear();
-    for_each_pixel(tile, [&](int x, int y) {
-        if (edges(x, y) == 0) return;
-        pixels.add(x, y, screen.ray(x + 0.5 + off.x, y + 0.5 + off.y),
-                   radiance_key(shot, x, y, sample + 1));
-    });
-    pixels.trace(tracer);
+    shoot_edges(shot, tile, sample, edges, tracer, pixels);
     pixels.shade(scene, needs, tracer);
 }
 

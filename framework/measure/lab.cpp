@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace luch {
 namespace {
@@ -58,7 +59,7 @@ class SceneLab {
                        const Subject& subject);
     LabSeries series_by_parameter(const TechniqueInfo& info);
     /// What a technique that goes by no samples is to show.
-    [[nodiscard]] const TruthPicture& approximated_by(const TechniqueInfo& info) const;
+    [[nodiscard]] const TruthPicture& approximated_by(const TechniqueInfo& info);
     LabPoint point_by_parameter(const Subject& subject);
     std::optional<LeftOutCost> left_out_cost(const LabPoint& point, const std::string& setting,
                                              const Subject& subject);
@@ -75,6 +76,7 @@ class SceneLab {
     SceneReport report_;
     TruthPicture frame_truth_;               ///< the baseline's frame, which others approximate
     std::optional<TruthPicture> converged_;  ///< the baseline's
+    std::map<const TechniqueInfo*, TruthPicture> own_truths_;
     double cost_ = 0, done_ = 0, next_ = 0, part_ = 0;
 };
 
@@ -163,7 +165,19 @@ void SceneLab::measure_baseline() {
                      at_one.outcome.frame.colour, frame_truth_);
 }
 
-const TruthPicture& SceneLab::approximated_by(const TechniqueInfo& info) const {
+const TruthPicture& SceneLab::approximated_by(const TechniqueInfo& info) {
+    if (!info.truth.empty()) {
+        const auto known = own_truths_.find(&info);
+        if (known != own_truths_.end()) return known->second;
+        const Subject subject{&info, std::string(info.truth), 1, scene_->budget.skip};
+        begin("truth: " + described(subject), 1);
+        LabTruth facts;
+        facts.name = described(subject);
+        facts.exact = true;
+        report_.truths.push_back(facts);
+        TruthPicture truth = truth_picture(facts, picture_of(subject, bench_, scene_->shot.seed));
+        return own_truths_.emplace(&info, std::move(truth)).first->second;
+    }
     const bool many_samples = info.whole_lens && scene_->shot.camera.has_lens() && converged_;
     return many_samples ? *converged_ : frame_truth_;
 }

@@ -40,6 +40,9 @@ struct TechniqueInfo {
     Sweep sweep{};
     /// Whether its picture is meant to be the baseline's; else its error against that says nothing.
     bool approximates = true;
+    /// An assignment of its own parameters ("mode=rays") under which it makes the picture that its
+    /// others are measured against; "": see `approximates`.
+    std::string_view truth = "";
     /// Whether one frame shows what all points of a lens see: where the camera has one, its truth
     /// is the baseline's picture of many samples.
     bool whole_lens = false;

@@ -21,10 +21,10 @@ struct MaterialShader {
     RayKind kind;
     Key key;
     int depth;
-    const Refraction* medium;               ///< what the ray came through; null: nothing
-    const KnownShadows* shadows = nullptr;  ///< answers for this point, where there are any
-    std::size_t point = 0;                  ///< its number there
-    ShadedParts* parts = nullptr;           ///< told of this point's parts, where there are any
+    const Refraction* medium;                    ///< what the ray came through; null: nothing
+    const KnownShadows* shadows = nullptr;       ///< answers for this point, where there are any
+    std::size_t point = AmbientSource::nowhere;  ///< its number among the tile's rays
+    ShadedParts* parts = nullptr;  ///< told of this point's parts, where there are any
 
     Rgb operator()(const Lambert& material) const {
         const auto no_highlight = [](const Vec3d&) { return Rgb(0); };
@@ -78,8 +78,9 @@ struct MaterialShader {
             const auto& layer = material.layers[i];
             const Rgb blend = albedo(layer.blend, layer.texture);
             if (!looks_into(blend, Part::layers)) continue;
-            const MaterialShader below{
-                tracer, scene, surface, ray, kind, key.branch(layers).branch(i), depth, medium};
+            const Key branch = key.branch(layers).branch(i);
+            const MaterialShader below{tracer, scene, surface, ray,     kind,
+                                       branch, depth, medium,  nullptr, point};
             const Rgb light = std::visit(below, scene.materials[layer.material]);
             colour = colour * (Rgb(1) - blend) + times(blend, light);
             if (parts != nullptr) parts->layer(point, blend, light);
@@ -144,7 +145,7 @@ struct MaterialShader {
     template <class Highlight>
     Rgb lit(const Rgb& albedo, Highlight&& highlight) const {
         ++counts().shades;
-        Rgb diffuse = scene.settings.ambient_light, specular(0);
+        Rgb diffuse = ambient(), specular(0);
         if (parts != nullptr) parts->lit(point, albedo);
         if (!needs(Part::direct_light)) return albedo * diffuse + specular;
         counts().did(Part::direct_light);
@@ -159,6 +160,11 @@ struct MaterialShader {
         return albedo * diffuse + specular;
     }
 
+    [[nodiscard]] Rgb ambient() const {
+        const AmbientSource* known = tracer.known_.ambient;
+        return known != nullptr ? known->at(surface, point) : scene.settings.ambient_light;
+    }
+
     /// A light's random numbers; when no light of the scene needs any, not even the key is made.
     Key sampling_key(std::size_t light, int samples) const {
         if (!needs(Part::light_samples)) return Key(0);
@@ -171,22 +177,27 @@ struct MaterialShader {
                    Rgb& diffuse, Rgb& specular) const {
         const bool dark = is_dark(sample, surface);
         if (dark && !needs(Part::dark_shadow_rays)) return;
-        const bool blocked = is_blocked(light, sample.shadow, dark);
-        if (dark || blocked) return;
+        const float share = share_of(light, sample.shadow, dark);
+        if (dark || share == 0) return;
         const double cosine = glm::dot(surface.normal, sample.to_light);
-        const Rgb more = sample.irradiance * static_cast<float>(cosine);
-        const Rgb gleam = sample.highlight * highlight(sample.to_light);
+        const Rgb more = sample.irradiance * static_cast<float>(cosine) * share;
+        const Rgb gleam = sample.highlight * highlight(sample.to_light) * share;
         diffuse += more;
         specular += gleam;
         if (parts != nullptr) parts->light(point, light, more, gleam);
     }
 
-    bool is_blocked(std::size_t light, const Ray& shadow, bool dark) const {
-        using Answer = KnownShadows::Answer;
-        const Answer known = shadows != nullptr ? shadows->of(light, point) : Answer::not_asked;
-        if (known != Answer::not_asked) return known == Answer::blocked;
+    /// How much of a light's sample arrives: 0 (blocked)..1.
+    [[nodiscard]] float share_of(std::size_t light, const Ray& shadow, bool dark) const {
+        float known = ShadowSource::unknown;
+        if (shadows != nullptr) {
+            known = shadows->share(light, point);
+        } else if (tracer.known_.shadows != nullptr && !dark) {
+            known = tracer.known_.shadows->share(light, surface);
+        }
+        if (known != ShadowSource::unknown) return known;
         if (dark) counts().did(Part::dark_shadow_rays);
-        return tracer.tracer_->occluded(RayKind::shadow, shadow);
+        return tracer.tracer_->occluded(RayKind::shadow, shadow) ? 0.0f : 1.0f;
     }
 };
 
@@ -207,7 +218,7 @@ Rgb Whitted::radiance(RayKind kind, const Ray& ray, Key key, int depth,
 
 Rgb Whitted::shade(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth,
                    const Refraction* medium) const {
-    return shade_and_log(kind, ray, hit, key, depth, medium, nullptr, 0);
+    return shade_and_log(kind, ray, hit, key, depth, medium, nullptr, AmbientSource::nowhere);
 }
 
 Rgb Whitted::shade_and_log(RayKind kind, const Ray& ray, const Hit& hit, Key key, int depth,
@@ -235,7 +246,9 @@ void Whitted::shade(RayKind kind, std::span<const Ray> rays, std::span<const Hit
         surfaces[i] = surface_at(*scene_, rays[i], hits[i], needs_, tracer_->counts());
     }
     std::optional<KnownShadows> shadows;
-    if (needs_[Part::shared_shadows]) shadows.emplace(*scene_, surfaces, hits, needs_, *tracer_);
+    if (needs_[Part::shared_shadows] || known_.shadows != nullptr) {
+        shadows.emplace(*scene_, surfaces, hits, needs_, *tracer_, known_.shadows);
+    }
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!hits[i]) {
             light[i] = sky(rays[i]);

@@ -2,6 +2,7 @@
 
 #include "framework/math/rng.h"
 #include "framework/scene/scene.h"
+#include "framework/trace/known_light.h"
 #include "framework/trace/shaded_parts.h"
 #include "framework/trace/surface.h"
 #include "framework/trace/tracer.h"
@@ -13,8 +14,9 @@ namespace luch {
 /// clear things, to the scene's depth limit.
 class Whitted {
  public:
-    Whitted(const Scene& scene, const Needs& needs, Tracer& tracer)
-        : scene_(&scene), needs_(needs), tracer_(&tracer) {}
+    /// What `known` points to must outlive it.
+    Whitted(const Scene& scene, const Needs& needs, Tracer& tracer, const KnownLight& known = {})
+        : scene_(&scene), needs_(needs), tracer_(&tracer), known_(known) {}
 
     /// Light that comes back along a ray. `medium` is what the ray runs through, where light fades;
     /// null: nothing. A camera within a medium is not known to be there.
@@ -41,6 +43,7 @@ class Whitted {
     const Scene* scene_;
     Needs needs_;
     Tracer* tracer_;
+    KnownLight known_;
 };
 
 }  // namespace luch

@@ -118,6 +118,18 @@ TEST(Lab, ComparesWhatShowsAWholeLensWithManySamplesOfIt) {
     EXPECT_EQ(lab_of(off, small(), "", true).series[0].truth, "noisy, 1 sample a pixel");
 }
 
+TEST(Lab, MeasuresATechniqueAgainstATruthOfItsOwnMaking) {
+    TechniqueInfo info = off;
+    info.approximates = false;
+    info.truth = "error=0.5";
+    const SceneReport report = lab_of(info);
+    const LabSeries& series = report.series[0];
+    EXPECT_EQ(series.truth, std::string(info.name) + " error=0.5");
+    EXPECT_TRUE(report.truth(series.truth)->exact);
+    EXPECT_EQ(series.points[0].errors.rmse, 0);
+    EXPECT_GT(series.points[2].errors.rmse, 0);
+}
+
 TEST(Lab, MakesTheTruthBetterUntilItIsGoodEnoughAndSaysHowGoodItIs) {
     const SceneReport report = lab_of(off);
     const LabTruth* truth = report.truth(report.converged);

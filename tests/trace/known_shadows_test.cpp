@@ -65,8 +65,8 @@ TEST(KnownShadows, AskOnlyLightsThatStandInOnePlace) {
     ASSERT_TRUE(hit);
     const Surface surface = surface_at(scene, ray, hit);
     const KnownShadows shadows(scene, {&surface, 1}, {&hit, 1}, Needs(), tracer);
-    EXPECT_EQ(shadows.of(0, 0), KnownShadows::Answer::lit);
-    EXPECT_EQ(shadows.of(1, 0), KnownShadows::Answer::not_asked);
+    EXPECT_EQ(shadows.share(0, 0), 1);
+    EXPECT_EQ(shadows.share(1, 0), ShadowSource::unknown);
     EXPECT_EQ(tracer.counts().of(RayKind::shadow), 1u);
 }
 
