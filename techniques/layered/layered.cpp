@@ -129,6 +129,7 @@ class Layered : public Technique {
             },
             side);
         if (blur) context.did(stage::blur, followed, "lens rays");
+        if (!context.budget().planes) return;
         show(shot, frame, [&](float depth) {
             const float place = planes.position(signed_radius_px(std::min(depth, sky), lens));
             return static_cast<std::uint32_t>(std::lround(place));
@@ -145,9 +146,12 @@ class Layered : public Technique {
             for (float& depth : depths.pixels()) depth = std::max(depth, focus);
         }
         const std::vector<float> cuts = composite_.cuts(depths, layer_count(params_), context);
-        show(shot, frame, [&](float depth) {
-            return static_cast<std::uint32_t>(std::ranges::upper_bound(cuts, depth) - cuts.begin());
-        });
+        if (context.budget().planes) {
+            show(shot, frame, [&](float depth) {
+                return static_cast<std::uint32_t>(std::ranges::upper_bound(cuts, depth) -
+                                                  cuts.begin());
+            });
+        }
         if (!context.plan().needed(stage::blur)) {
             frame.colour = fragments_.colour();
             return;
