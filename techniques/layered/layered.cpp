@@ -40,17 +40,6 @@ Depths depths_of(const Fragments& fragments) {
     return depths;
 }
 
-/// A technique that has no lens to look through is the baseline.
-void render_pinhole(const Scene& scene, const Shot& shot, const Needs& needs, Frame& frame,
-                    Context& context) {
-    context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-        trace_tile(scene, shot, tile, needs, context.tracer(worker), frame.colour.view());
-    });
-    if (needs[Part::anti_aliasing] && may_antialias(shot)) {
-        antialias(scene, shot, needs, context, frame.colour.view());
-    }
-}
-
 class Layered : public Technique {
  public:
     Layered(const Steps& steps, Mode mode) : composite_(steps) {
@@ -80,7 +69,7 @@ class Layered : public Technique {
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
         const Needs needs = needs_of(context.plan()).without(Part::lens);
         if (!shot.camera.has_lens()) {
-            render_pinhole(scene, shot, needs, frame, context);
+            trace_frame(scene, shot, needs, context, frame.colour.view());  // the baseline
         } else if (Mode(params_.mode) == Mode::lens) {
             render_lens(shot, needs, frame, context);
         } else {

@@ -50,9 +50,7 @@ class Vista : public Technique {
         } else if (context.plan().needed("item buffer")) {
             render_exact(scene, shot, needs, frame, context);
         } else {
-            context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-                trace_tile(scene, shot, tile, needs, context.tracer(worker), frame.colour.view());
-            });
+            return trace_frame(scene, shot, needs, context, frame.colour.view());
         }
         if (needs[Part::anti_aliasing] && may_antialias(shot)) {
             antialias(scene, shot, needs, context, frame.colour.view());
