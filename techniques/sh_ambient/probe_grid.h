@@ -55,7 +55,7 @@ struct Blend {
     std::array<float, 8> weight{};
 };
 
-/// A box of count.x × count.y × count.z cells with a probe in the middle of each.
+/// count.x × count.y × count.z probes in a box.
 struct ProbeGrid {
     Boxd box;
     glm::ivec3 count{0};
@@ -70,7 +70,15 @@ struct ProbeGrid {
         return static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
                static_cast<std::size_t>(count.z);
     }
-    [[nodiscard]] Vec3d cell() const { return box.size() / Vec3d(count); }
+    /// How far the outermost probes are from the box's sides, in its size/count.
+    static constexpr double inset = 0.25;
+    /// From a probe to the next along each axis.
+    [[nodiscard]] Vec3d spacing() const {
+        return box.size() * (1.0 - 2 * inset / Vec3d(count)) / Vec3d(glm::max(count - 1, 1));
+    }
+    [[nodiscard]] Vec3d first() const {
+        return box.centre() - spacing() * (Vec3d(count - 1) / 2.0);
+    }
     [[nodiscard]] Vec3d place(std::size_t probe) const;
     [[nodiscard]] std::uint32_t index(const glm::ivec3& at) const {
         return static_cast<std::uint32_t>((at.z * count.y + at.y) * count.x + at.x);

@@ -24,7 +24,7 @@ Boxd finite_box(const Scene& scene, const Vec3d& eye) {
 Vec3d ProbeGrid::place(std::size_t probe) const {
     const auto x = static_cast<int>(probe % static_cast<std::size_t>(count.x));
     const auto row = static_cast<int>(probe / static_cast<std::size_t>(count.x));
-    return box.lo + (Vec3d(x, row % count.y, row / count.y) + 0.5) * cell();
+    return first() + Vec3d(x, row % count.y, row / count.y) * spacing();
 }
 
 ProbeGrid grid_around(const Scene& scene, const Vec3d& eye, int along) {
@@ -44,7 +44,7 @@ bool fill(ProbeGrid& grid, const Scene& scene, const Params& params, const Needs
     const bool distances = Leaks(params.leaks) == Leaks::distances;
     grid.light.assign(grid.size(), Sh9{});
     grid.distances.assign(distances ? grid.size() : 0, DistanceMap{});
-    const double far = 2 * glm::length(grid.cell());
+    const double far = 2 * glm::length(grid.spacing());
     const auto rays = static_cast<std::uint32_t>(params.rays);
     const SampleRange all{0, rays, rays};
     context.for_each(static_cast<int>(grid.size()), [&](int i, int worker) {

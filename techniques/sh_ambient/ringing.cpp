@@ -53,7 +53,8 @@ double least_of(const Quadratic& q) {
     const double least = least_eigenvalue(q.a), length = glm::length(q.b);
     if (!(length > 0)) return q.c + least;
     // The dual is concave, and the best λ is no further than |b|/2 above where A + λ is positive.
-    double low = -least, high = -least + length / 2;
+    // Very near that end the inverse is all rounding.
+    double low = -least + 1e-7 * std::abs(least), high = low + length / 2;
     constexpr double golden = 0.6180339887498949;
     for (int i = 0; i < 80; ++i) {
         const double left = high - golden * (high - low), right = low + golden * (high - low);

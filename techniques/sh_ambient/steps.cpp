@@ -197,14 +197,14 @@ double trust(const ProbeGrid& grid, std::uint32_t probe, const Receiver& point, 
     const double facing = (cosine + 1) * (cosine + 1) / 4;
     if (leaks == Leaks::normals) return facing;
     // Off the surface, which else would hide the point from whatever grazes it.
-    const Vec3d cell = grid.cell();
-    const double off = std::min({cell.x, cell.y, cell.z}) * ProbeGrid::off_surface;
+    const Vec3d spacing = grid.spacing();
+    const double off = std::min({spacing.x, spacing.y, spacing.z}) * ProbeGrid::off_surface;
     return facing * seen(grid.distances[probe], off * point.normal - way);
 }
 
 Blend blend_at(const ProbeGrid& grid, const Receiver& point, Leaks leaks) {
     const Vec3d last(grid.count - 1);
-    const Vec3d at = glm::clamp((point.position - grid.box.lo) / grid.cell() - 0.5, Vec3d(0), last);
+    const Vec3d at = glm::clamp((point.position - grid.first()) / grid.spacing(), Vec3d(0), last);
     const glm::ivec3 low = glm::max(glm::min(glm::ivec3(at), grid.count - 2), glm::ivec3(0));
     const Vec3d part = at - Vec3d(low);
     Blend blend;
