@@ -146,6 +146,11 @@ TEST(ShPlan, TakesOneCoefficientOfASkyThatIsNearlyConstant) {
     EXPECT_LE(change_by(scene, stage::linear), stage_of(plan, stage::linear).bound);
 }
 
+TEST(ShPlan, KeepsTermsThatMayBeSeen) {
+    const Scene scene = under(sky_of(5, [](const Vec3d& d) { return 1 + 0.004 * d.z; }));
+    EXPECT_TRUE(plan_for(scene, with(Mode::environment)).needed(stage::linear));
+}
+
 TEST(ShPlan, BoundsWhatTermsCanChangeByWhatTheyDo) {
     // The bound is met: degree 1 is all in one direction.
     const Scene scene = under(sky_of(65, [](const Vec3d& d) { return 1 + 0.5 * d.x; }));

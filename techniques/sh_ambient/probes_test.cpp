@@ -187,6 +187,21 @@ TEST(Probe, SeesNoLampForItsLightIsDirect) {
     EXPECT_LT(light.l[1].x, -0.01f) << "light comes from below, off the floor";
 }
 
+TEST(Probe, FollowsLightOverAsManySurfacesAsItIsTold) {
+    // In a closed room every path meets one more surface at each step.
+    Lit lit(two_rooms());
+    const Surface floor = *lit.seen({{-1, 0, 0}, {0.1, -1, 0}});
+    double before = 0;
+    for (int bounces = 0; bounces < 4; ++bounces) {
+        static_cast<void>(lit.context.take_counts());
+        const double light = lit.traced(floor, 256, bounces).x;
+        const std::uint64_t rays = lit.context.take_counts().of(RayKind::gi);
+        EXPECT_EQ(rays, 256u * static_cast<std::uint64_t>(bounces + 1));
+        EXPECT_TRUE(bounces == 0 ? light == 0 : light > before) << bounces;
+        before = light;
+    }
+}
+
 TEST(Distances, AreThoseToTheWalls) {
     Lit lit(furnace(Rgb(1)));  // 3 × 2 × 1 around (5, 0, 0)
     const Incoming incoming(lit.studio.scene(), Needs(), lit.context.tracer(0), 0);

@@ -40,13 +40,9 @@ double least_eigenvalue(const glm::dmat3& a) {
     return 2 * p * std::cos((std::acos(turned) + 2 * std::numbers::pi) / 3);
 }
 
-/// The dual's value: a lower bound of the least irradiance for every λ.
+/// The dual's value where A + λ is positive: a lower bound of the least irradiance.
 double dual(const Quadratic& q, double lambda) {
-    const glm::dmat3 m = q.a + glm::dmat3(lambda);
-    const double corner = m[0][0] * m[1][1] - m[0][1] * m[0][1];
-    const bool positive = m[0][0] > 0 && corner > 0 && glm::determinant(m) > 0;
-    if (!positive) return -std::numeric_limits<double>::infinity();
-    return q.c - lambda - 0.25 * glm::dot(q.b, glm::inverse(m) * q.b);
+    return q.c - lambda - 0.25 * glm::dot(q.b, glm::inverse(q.a + glm::dmat3(lambda)) * q.b);
 }
 
 double least_of(const Quadratic& q) {

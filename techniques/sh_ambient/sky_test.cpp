@@ -107,6 +107,18 @@ TEST(Sky, LosesWhatScalingDegreeOneTakesThoughItDoesNotRing) {
     EXPECT_GT(error(Ringing::scaled), 5 * error(Ringing::off));
 }
 
+TEST(Sky, IsSampledWithoutTexelsThatAreNotFinite) {
+    Scene scene;
+    CubemapEnvironment sky;
+    for (Image<Rgb>& side : sky.sides) side = Image<Rgb>({9, 9}, Rgb(1));
+    sky.sides[CubemapEnvironment::pos_y](4, 4) = Rgb(std::nanf(""), 1, 1);
+    scene.environment = sky;
+    const Rgb mean = mean_of_sky(scene, {0, 1, 0}, 1024, Key(1));
+    EXPECT_TRUE(all_finite(mean));
+    EXPECT_LT(mean.x, 1);
+    EXPECT_GT(mean.x, 0.8f);
+}
+
 /// Processor time of this thread.
 double thread_ns() {
     timespec now{};
