@@ -4,6 +4,7 @@
 #include "framework/scene/loader/loader.h"
 #include "framework/trace/path.h"
 #include "techniques/sh_ambient/incoming.h"
+#include "techniques/sh_ambient/ringing.h"
 #include "tests/testing/scenes.h"
 
 #include <gmock/gmock.h>
@@ -202,6 +203,19 @@ TEST(Probe, FollowsLightOverAsManySurfacesAsItIsTold) {
     }
 }
 
+TEST(Probe, RingsOnlyWhereRingingIsOff) {
+    Scene scene = furnace(Rgb(0));
+    add_box(scene, Vec3d(0.1), {5.5, 0.5, 0}, Const{Rgb(100)});
+    Lit lit(scene);
+    for (const Ringing ringing : {Ringing::off, Ringing::least, Ringing::scaled}) {
+        const ProbeGrid grid =
+            lit.grid({.ringing = static_cast<int>(ringing), .probes = 3, .rays = 1024, .leaks = 0});
+        double least = 0;
+        for (const Sh9& light : grid.light) least = std::min(least, least_irradiance(light));
+        EXPECT_EQ(least < -1e-4, ringing == Ringing::off) << least;
+    }
+}
+
 TEST(Distances, AreThoseToTheWalls) {
     Lit lit(furnace(Rgb(1)));  // 3 × 2 × 1 around (5, 0, 0)
     const Incoming incoming(lit.studio.scene(), Needs(), lit.context.tracer(0), 0);
@@ -304,6 +318,7 @@ TEST(Grid, LiesAroundAllThatHasAnEndAndIsNoThinnerThanACell) {
     add_node(scene, "", 1, 0, {});
     const ProbeGrid flat = grid_around(scene, Vec3d(0), 4);
     EXPECT_EQ(flat.count, glm::ivec3(4, 1, 4));
+    EXPECT_EQ(flat.box.size(), Vec3d(8, 2, 8));
     EXPECT_EQ(flat.place(0), Vec3d(-3.5, 2, -3.5));
     EXPECT_EQ(flat.place(15), Vec3d(3.5, 2, 3.5));
     EXPECT_NEAR(flat.place(1).x, -3.5 + 7.0 / 3, 1e-12) << "x runs first";
