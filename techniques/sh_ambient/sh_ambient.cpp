@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> ringing_words{"off", "least", "scaled"
 constexpr std::array<std::string_view, 3> leak_words{"shown", "normals", "distances"};
 constexpr std::array<double, 3> degrees{0, 1, 2};
 
-constexpr std::uint32_t no_probe = 0;  // nothing was seen, or nothing asked
+constexpr std::uint32_t no_probe = ~std::uint32_t{0};  // nothing was seen, or nothing asked
 constexpr float mark_px = 3;
 
 /// What random numbers are drawn for, by the frame's seed.
@@ -121,7 +121,7 @@ class ShAmbient : public Technique {
         if (!filled) return;
         grid_ = std::move(grid);
         known_probes_ = wanted;
-        context.did(stage::probes, grid_.size(), "probes");
+        context.did(stage::probes, grid_.bytes(), "bytes");
         context.did(stage::distances, grid_.distances.size(), "maps");
     }
 

@@ -227,8 +227,10 @@ TEST(ShAmbient, ShowsItsProbesInPlanesAndMarks) {
     EXPECT_GT(outcome.frame.marks.size(), 10u);
     const auto& irradiance = testing::plane_of<Rgb>(outcome, "irradiance");
     const auto& weight = testing::plane_of<float>(outcome, "probe weight");
+    const auto& probe = testing::plane_of<std::uint32_t>(outcome, "probe");
     std::size_t seen = 0;
     for (std::size_t i = 0; i < weight.pixels().size(); ++i) {
+        EXPECT_EQ(weight.pixels()[i] == 0, probe.pixels()[i] == ~std::uint32_t{0});
         if (weight.pixels()[i] == 0) continue;
         ++seen;
         EXPECT_GE(weight.pixels()[i], 0.125f - 1e-6f) << "the heaviest of eight";
