@@ -109,7 +109,8 @@ std::vector<ErrorPlane> planes_of(const SceneReport& scene, const Metric& metric
             }
         }
         if (truth.exact && !plane.points.empty()) {
-            plane.points.push_back({nullptr, &scene.baseline, {scene.baseline.frame_ms, 0}});
+            const double off = truth.baseline ? *truth.baseline.*metric.value : 0;
+            plane.points.push_back({nullptr, &scene.baseline, {scene.baseline.frame_ms, off}});
         }
         mark_pareto(plane);
         if (!plane.points.empty()) planes.push_back(std::move(plane));

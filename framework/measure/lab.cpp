@@ -174,8 +174,10 @@ const TruthPicture& SceneLab::approximated_by(const TechniqueInfo& info) {
         LabTruth facts;
         facts.name = described(subject);
         facts.exact = true;
-        report_.truths.push_back(facts);
         TruthPicture truth = truth_picture(facts, picture_of(subject, bench_, scene_->shot.seed));
+        truth.facts.baseline = errors_between(truth.shown.view(), frame_truth_.shown.view());
+        report_.truths.push_back(truth.facts);
+        pictures_.add_to(report_.truths.back(), fmt::format("{} truth", info.name), truth);
         return own_truths_.emplace(&info, std::move(truth)).first->second;
     }
     const bool many_samples = info.whole_lens && scene_->shot.camera.has_lens() && converged_;

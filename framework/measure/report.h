@@ -39,6 +39,8 @@ struct LabTruth {
     std::string name;  ///< "baseline, 256 samples a pixel in two halves"
     /// The frame that is approximated, itself: then nothing below has a meaning.
     bool exact = false;
+    /// The baseline's own errors against it, when another technique made it; else it has none.
+    std::optional<Errors> baseline = std::nullopt;
     int samples = 0;            ///< a pixel
     double standard_error = 0;  ///< its own, as displayed, the root over all channels
     bool from_cache = false;

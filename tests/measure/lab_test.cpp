@@ -128,6 +128,14 @@ TEST(Lab, MeasuresATechniqueAgainstATruthOfItsOwnMaking) {
     EXPECT_TRUE(report.truth(series.truth)->exact);
     EXPECT_EQ(series.points[0].errors.rmse, 0);
     EXPECT_GT(series.points[2].errors.rmse, 0);
+    // The baseline is what the last setting shows, and no better.
+    ASSERT_TRUE(report.truth(series.truth)->baseline);
+    EXPECT_EQ(report.truth(series.truth)->baseline->rmse, series.points[2].errors.rmse);
+    const auto planes = planes_of(report, find_metric("rmse"));
+    const auto own = std::ranges::find(planes, series.truth, &ErrorPlane::truth);
+    ASSERT_NE(own, planes.end());
+    EXPECT_EQ(own->points.back().series, nullptr);
+    EXPECT_EQ(own->points.back().at.error, series.points[2].errors.rmse);
 }
 
 TEST(Lab, MakesTheTruthBetterUntilItIsGoodEnoughAndSaysHowGoodItIs) {
