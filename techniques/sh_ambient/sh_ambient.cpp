@@ -71,7 +71,7 @@ class ShAmbient : public Technique {
         ambience.sky = sky_;
         ambience.grid = &grid_;
         ambience.key = Key(shot.seed).branch(of_points);
-        const Planes planes = planes_of(frame);
+        const Planes planes = context.budget().planes ? planes_of(frame) : Planes{};
         context.for_each_tile(shot.size, [&](Tile tile, int worker) {
             TileAmbient source(ambience, context, context.tracer(worker), planes);
             trace_tile(scene, shot, tile, ambience.needs, context.tracer(worker),
@@ -82,7 +82,7 @@ class ShAmbient : public Technique {
         }
         context.did(stage::ambient, ambience.points, "points");
         context.did(stage::ringing, ambience.negative, "points below 0");
-        mark_probes(shot, frame);
+        if (context.budget().planes) mark_probes(shot, frame);
     }
 
  private:
