@@ -130,10 +130,13 @@ Finding of_one_kind(const Steps& steps, const Sample& sample) {
 
 /// In the light, edge on, and facing it.
 Finding at_the_ends(const Steps& steps, const Sample& sample) {
-    const std::vector<Receiver> receivers{{Vec3(0), {0, 1, 0}},    {{2, 0, 0}, {0, 1, 0}},
-                                          {{0, -3, 0}, {0, 1, 0}}, {{0, 0, 512}, {0, 0, 1}},
-                                          {{1, -1, 0}, {0, 0, 1}}, {{0.125f, 0, 0}, {-1, 0, 0}},
-                                          {{-4, 4, -4}, {0, 1, 1}}};
+    const std::vector<Receiver> receivers{{Vec3(0), {0, 1, 0}},
+                                          {{2, 0, 0}, {0, 1, 0}},
+                                          {{0, -3, 0}, {0, 1, 0}},
+                                          {{0, 0, 512}, {0, 0, 1}},
+                                          {{1, -1, 0}, {0, 0, 1}},
+                                          {{0.125f, 0, 0}, {-1, 0, 0}},
+                                          {{-4, 4, -4}, {0, 0.70710678f, 0.70710678f}}};
     const std::vector<float> expected{0,
                                       infinite,
                                       3 * rounding_share,

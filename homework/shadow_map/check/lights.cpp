@@ -131,6 +131,7 @@ Finding evenly_spread(const std::vector<Vec2d>& places) {
                                         i % side, i / side, mean, count[i]);
         }
         finding.wrong.push_back(i);
+        finding.signature.push_back(2 * i + (off < 0 ? 1 : 0));
     }
     finding.passed = finding.wrong.empty();
     return finding;
@@ -253,8 +254,12 @@ Finding above_its_face(const Steps& steps, const Sample& sample) {
         for (std::size_t i = 0; i < yours.size(); ++i) {
             const Vec3d face = light.to_world.point({on_light[i].x, 0, on_light[i].y});
             const double height = glm::dot(yours[i].position - face, light.facing());
-            if (height > 0x1p-46 * (max_norm(face) + size) && height < 1e-6 * size) continue;
-            return failure("points do not lie just off the light's visible face, where it shines",
+            const double least = 0x1p-46 * (max_norm(face) + size);
+            if (height >= least && height <= 1e-6 * size) continue;
+            const bool too_high = height > 1e-6 * size, behind = height < -least;
+            return failure(too_high ? "points lie far off the light's visible face"
+                           : behind ? "points lie behind the light's visible face"
+                                    : "points lie in the light's visible face, which hides them",
                            fmt::format("point {} is {:.3g} above it", i, height));
         }
     }

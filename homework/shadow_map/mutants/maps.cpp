@@ -73,7 +73,7 @@ struct FaceRules {
     enum Stored { distance, depth, square, inverse } stored = distance;
     float miss = infinite, t_min = 0, t_max = infinite;
     bool corner = false, transposed = false, behind = false, whole_face = false;
-    bool in_float = false, twice = false, any_length = false;
+    bool in_float = false, twice = false;
     RayKind kind = RayKind::shadow;
 };
 
@@ -93,7 +93,6 @@ void render_face(const Vec3d& light, int face, Tile tile, Tracer& tracer,
                 d[(face / 2 + 2) % 3] -= float(along / n);
                 d = glm::normalize(d);
             }
-            if (rules.any_length) d /= float(along);
             Ray ray{light, rules.behind ? -Vec3d(d) : Vec3d(d), rules.t_min, rules.t_max};
             if (rules.in_float) ray.origin = Vec3d(Vec3(light));
             Hit hit = tracer.closest(rules.kind, ray);
@@ -169,13 +168,13 @@ std::vector<grading::Other> map_mutants() {
                                                 "0"),
 
         face_mutant<{.stored = FaceRules::depth}>(
-            "depth_for_distance", "depth along the axis is stored: the distance is asked for"),
+            "depth_for_distance",
+            "depth along the axis is stored, or t of a ray whose direction is not of length 1: the "
+            "distance is asked for"),
         face_mutant<{.stored = FaceRules::square}>("square_of_distance",
                                                    "the square of the distance is stored"),
         face_mutant<{.stored = FaceRules::inverse}>("inverse_distance",
                                                     "the inverse of the distance is stored"),
-        face_mutant<{.any_length = true}>("t_of_a_long_ray",
-                                          "t counts lengths of the direction: that must be 1"),
         face_mutant<{.miss = 0}>("miss_is_zero",
                                  "where nothing is hit it is dark: infinity, not 0"),
         face_mutant<{.miss = 1e6f}>("miss_is_large",
