@@ -128,13 +128,18 @@ class ShadowMap final : public Technique {
     }
 
     [[nodiscard]] CubeMap map_around(const Vec3d& light, Context& context) const {
-        CubeMap map{params_.side, {}};
+        const int n = params_.side;
+        CubeMap map{n, {}};
         for (int face = 0; face < faces_of_cube; ++face) {
-            Image<float>& distance = map.faces[static_cast<std::size_t>(face)];
-            distance = Image<float>({params_.side, params_.side});
+            Image<float>& distance = map.faces[static_cast<std::size_t>(face)].distance;
+            distance = Image<float>({n, n});
+            map.faces[static_cast<std::size_t>(face)].window = {0, 0, n, n};
             context.for_each_tile(distance.size(), [&](Tile tile, int worker) {
-                call_step(context, steps_.render_face, reference().render_face, light, face, tile,
-                          context.tracer(worker), distance.view());
+                Image<float> part({tile.width(), tile.height()});
+                call_step(context, steps_.render_face, reference().render_face, light, face, n,
+                          tile, context.tracer(worker), part.view());
+                for_each_pixel(
+                    tile, [&](int x, int y) { distance(x, y) = part(x - tile.x0, y - tile.y0); });
             });
         }
         return map;

@@ -28,16 +28,24 @@ struct Texel {
 
 inline constexpr int faces_of_cube = 6;
 
+/// The part of a face that is stored: nothing receives light through the rest.
+struct Face {
+    Tile window;            ///< its texels
+    Image<float> distance;  ///< of texel (x, y) at (x − window.x0, y − window.y0)
+};
+
 /// The distance from a light to the nearest surface, in n × n texels a face.
 struct CubeMap {
     int n = 0;
-    std::array<Image<float>, faces_of_cube> faces;  ///< an empty one: nothing is there
+    std::array<Face, faces_of_cube> faces;
 
-    /// What is stored; infinity where there is no surface, and on an empty face.
+    /// What is stored; infinity where there is no surface, and where nothing is stored.
     [[nodiscard]] float at(const Texel& texel) const {
-        const Image<float>& face = faces[static_cast<std::size_t>(texel.face)];
-        if (face.size().area() == 0) return std::numeric_limits<float>::infinity();
-        return face(texel.x, texel.y);
+        const auto& [window, distance] = faces[static_cast<std::size_t>(texel.face)];
+        const bool stored = texel.x >= window.x0 && texel.x < window.x1 && texel.y >= window.y0 &&
+                            texel.y < window.y1;
+        return stored ? distance(texel.x - window.x0, texel.y - window.y0)
+                      : std::numeric_limits<float>::infinity();
     }
 };
 
@@ -70,10 +78,11 @@ struct Steps {
     /// The unit directions through the centres of texels: on a face, u = (2x + 1)/n − 1.
     void (*direction_of)(std::span<const Texel> texels, int n, std::span<Vec3> directions);
 
-    /// A tile of one face, n × n as `distance` is: how far the nearest surface is from the light
-    /// through each texel's centre, in world units; infinity where there is none. The rays are
-    /// shadow rays (RayKind::shadow), start in the light, and have t_min = 0.
-    void (*render_face)(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+    /// A tile of a face of n × n texels: how far the nearest surface is from the light through the
+    /// centre of texel (x, y), in world units, into distance(x − tile.x0, y − tile.y0); infinity
+    /// where there is none. `distance` is as large as the tile. The rays are shadow rays
+    /// (RayKind::shadow), one a texel, start in the light, and have t_min = 0.
+    void (*render_face)(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                         ImageView<float> distance);
 
     /// By how much a distance through a texel's centre may fall short of that of a receiver in the

@@ -59,25 +59,27 @@ void direction_of(std::span<const Texel> texels, int n, std::span<Vec3> directio
     }
 }
 
-/// Directions have length 1, so a ray's t is a distance.
-void render_face(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+/// Directions have length 1, so a ray's t is a distance. Texels go in the order of packets: the
+/// rays of neighbours are quick together.
+void render_face(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                  ImageView<float> distance) {
     std::vector<Texel> texels;
     for_each_pixel(tile, [&](int x, int y) { texels.push_back({face, x, y}); });
     std::vector<Vec3> directions(texels.size());
-    direction_of(texels, distance.width(), directions);
+    direction_of(texels, n, directions);
     std::vector<Ray> rays;
     for (const Vec3& d : directions) rays.push_back({light, Vec3d(d)});
     std::vector<Hit> hits(rays.size());
     tracer.closest(RayKind::shadow, rays, hits);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        distance(texels[i].x, texels[i].y) = hits[i] ? hits[i].t : infinite;
+        distance(texels[i].x - tile.x0, texels[i].y - tile.y0) = hits[i] ? hits[i].t : infinite;
     }
 }
 
 /// On the plane n·x = n·p, the point along q = (u, v, 1) is at the distance D = (n·p)|q|/(n·q).
-/// Where q points to p, ∂D/∂u = |p| (u/|q|² − n_u/(n·q)), and ∂D/∂v likewise. D is convex, so it
-/// lies above its tangent at the receiver: no centre of a texel falls shorter than this says.
+/// Where q points to p, ∂D/∂u = |p| (u/|q|² − n_u/(n·q)), and ∂D/∂v likewise. D curves upwards
+/// (it is no less than its tangent at the receiver), so no centre of a texel falls shorter than
+/// this says; a tangent at the centre would promise too little.
 void bias(std::span<const Receiver> receivers, int n, std::span<float> biases) {
     const float half = 1 / static_cast<float>(n);  // of a texel
     for (std::size_t i = 0; i < receivers.size(); ++i) {
