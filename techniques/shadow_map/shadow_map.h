@@ -144,8 +144,12 @@ struct Params {
     bool pcf = true;     ///< classic: the mean of 3 × 3 comparisons, or one
     int layout = 0;      ///< classic: an index: Layout
     double bias = 1.01;  ///< times the bias that geometry asks for
-    int points = 16;     ///< point lights that stand for a light with an area
-    int pattern = 1;     ///< an index: Pattern
+    bool offset = true;  ///< classic: an offset along the normal in its place, at grazing angles
+    bool fit = true;  ///< a far light's faces are cut to what receives its light, and divided finer
+    int points = 16;  ///< point lights that stand for a light with an area
+    int pattern = 1;  ///< an index: Pattern
+    int memory = 256;     ///< MB of maps; the lights beyond that are left to rays
+    bool unwrap = false;  ///< the frame shows the first light's faces
 };
 
 /// The technique, made of these steps; each one's holes are filled by the reference.
