@@ -28,16 +28,24 @@ struct Texel {
 
 inline constexpr int faces_of_cube = 6;
 
+/// The part of a face that is stored: nothing receives light through the rest.
+struct Face {
+    Tile window;            ///< its texels
+    Image<float> distance;  ///< of texel (x, y) at (x − window.x0, y − window.y0)
+};
+
 /// The distance from a light to the nearest surface, in n × n texels a face.
 struct CubeMap {
     int n = 0;
-    std::array<Image<float>, faces_of_cube> faces;  ///< an empty one: nothing is there
+    std::array<Face, faces_of_cube> faces;
 
-    /// What is stored; infinity where there is no surface, and on an empty face.
+    /// What is stored; infinity where there is no surface, and where nothing is stored.
     [[nodiscard]] float at(const Texel& texel) const {
-        const Image<float>& face = faces[static_cast<std::size_t>(texel.face)];
-        if (face.size().area() == 0) return std::numeric_limits<float>::infinity();
-        return face(texel.x, texel.y);
+        const auto& [window, distance] = faces[static_cast<std::size_t>(texel.face)];
+        const bool stored = texel.x >= window.x0 && texel.x < window.x1 && texel.y >= window.y0 &&
+                            texel.y < window.y1;
+        return stored ? distance(texel.x - window.x0, texel.y - window.y0)
+                      : std::numeric_limits<float>::infinity();
     }
 };
 
@@ -70,10 +78,11 @@ struct Steps {
     /// The unit directions through the centres of texels: on a face, u = (2x + 1)/n − 1.
     void (*direction_of)(std::span<const Texel> texels, int n, std::span<Vec3> directions);
 
-    /// A tile of one face, n × n as `distance` is: how far the nearest surface is from the light
-    /// through each texel's centre, in world units; infinity where there is none. The rays are
-    /// shadow rays (RayKind::shadow), start in the light, and have t_min = 0.
-    void (*render_face)(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+    /// A tile of a face of n × n texels: how far the nearest surface is from the light through the
+    /// centre of texel (x, y), in world units, into distance(x − tile.x0, y − tile.y0); infinity
+    /// where there is none. `distance` is as large as the tile. The rays are shadow rays
+    /// (RayKind::shadow), one a texel, start in the light, and have t_min = 0.
+    void (*render_face)(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                         ImageView<float> distance);
 
     /// By how much a distance through a texel's centre may fall short of that of a receiver in the
@@ -135,8 +144,12 @@ struct Params {
     bool pcf = true;     ///< classic: the mean of 3 × 3 comparisons, or one
     int layout = 0;      ///< classic: an index: Layout
     double bias = 1.01;  ///< times the bias that geometry asks for
-    int points = 16;     ///< point lights that stand for a light with an area
-    int pattern = 1;     ///< an index: Pattern
+    bool offset = true;  ///< classic: an offset along the normal in its place, at grazing angles
+    bool fit = true;  ///< a far light's faces are cut to what receives its light, and divided finer
+    int points = 16;  ///< point lights that stand for a light with an area
+    int pattern = 1;  ///< an index: Pattern
+    int memory = 256;     ///< MB of maps; the lights beyond that are left to rays
+    bool unwrap = false;  ///< the frame shows the first light's faces
 };
 
 /// The technique, made of these steps; each one's holes are filled by the reference.

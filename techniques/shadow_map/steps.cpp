@@ -2,34 +2,15 @@
 // SIGGRAPH 1978; Reeves, Salesin and Cook, "Rendering Antialiased Shadows with Depth Maps",
 // SIGGRAPH 1987.
 #include "framework/baseline/tile_rays.h"
-#include "techniques/shadow_map/shadow_map.h"
+#include "techniques/shadow_map/cube.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace luch::techniques::shadow_map {
 namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
-
-/// Axes of a face: what it looks along, and what its x and y run with.
-int main_axis(int face) {
-    return face / 2;
-}
-int x_axis(int face) {
-    return (face / 2 + 1) % 3;
-}
-int y_axis(int face) {
-    return (face / 2 + 2) % 3;
-}
-
-/// The face that a direction goes through.
-int face_of(const Vec3& d) {
-    const Vec3 size = glm::abs(d);
-    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    return 2 * axis + (d[axis] < 0 ? 1 : 0);
-}
 
 int cell_of(float u, int n) {
     const float place = (u + 1) / 2 * static_cast<float>(n);
@@ -59,25 +40,27 @@ void direction_of(std::span<const Texel> texels, int n, std::span<Vec3> directio
     }
 }
 
-/// Directions have length 1, so a ray's t is a distance.
-void render_face(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+/// Directions have length 1, so a ray's t is a distance. Texels go in the order of packets: the
+/// rays of neighbours are quick together.
+void render_face(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                  ImageView<float> distance) {
     std::vector<Texel> texels;
     for_each_pixel(tile, [&](int x, int y) { texels.push_back({face, x, y}); });
     std::vector<Vec3> directions(texels.size());
-    direction_of(texels, distance.width(), directions);
+    direction_of(texels, n, directions);
     std::vector<Ray> rays;
     for (const Vec3& d : directions) rays.push_back({light, Vec3d(d)});
     std::vector<Hit> hits(rays.size());
     tracer.closest(RayKind::shadow, rays, hits);
     for (std::size_t i = 0; i < hits.size(); ++i) {
-        distance(texels[i].x, texels[i].y) = hits[i] ? hits[i].t : infinite;
+        distance(texels[i].x - tile.x0, texels[i].y - tile.y0) = hits[i] ? hits[i].t : infinite;
     }
 }
 
 /// On the plane n·x = n·p, the point along q = (u, v, 1) is at the distance D = (n·p)|q|/(n·q).
-/// Where q points to p, ∂D/∂u = |p| (u/|q|² − n_u/(n·q)), and ∂D/∂v likewise. D is convex, so it
-/// lies above its tangent at the receiver: no centre of a texel falls shorter than this says.
+/// Where q points to p, ∂D/∂u = |p| (u/|q|² − n_u/(n·q)), and ∂D/∂v likewise. D curves upwards
+/// (it is no less than its tangent at the receiver), so no centre of a texel falls shorter than
+/// this says; a tangent at the centre would promise too little.
 void bias(std::span<const Receiver> receivers, int n, std::span<float> biases) {
     const float half = 1 / static_cast<float>(n);  // of a texel
     for (std::size_t i = 0; i < receivers.size(); ++i) {
@@ -115,27 +98,6 @@ void lit(const CubeMap& map, std::span<const Receiver> receivers, std::span<cons
         const float distance = glm::length(receivers[i].from_light);
         shares[i] = lit(map, texels[i], distance, biases[i]);
     }
-}
-
-/// The texel of a place that may lie one texel past an edge of its face: it is folded over the
-/// edge. In units of half a texel, a centre on face z has the coordinates (a, b, n); past the edge
-/// at x = n it is at (n + 1, b, n), and folded at (n, b, n − 1): a centre of face x.
-std::optional<Texel> folded(const Texel& place, int n) {
-    const auto& [face, x, y] = place;
-    const bool past_x = x < 0 || x >= n, past_y = y < 0 || y >= n;
-    if (!past_x && !past_y) return place;
-    if (past_x && past_y) return std::nullopt;
-    const int over = past_x ? x_axis(face) : y_axis(face);
-    const int over_at = past_x ? x : y;
-    std::array<int, 3> centre{};
-    centre[static_cast<std::size_t>(main_axis(face))] = face % 2 == 1 ? 1 - n : n - 1;
-    centre[static_cast<std::size_t>(x_axis(face))] = 2 * x + 1 - n;
-    centre[static_cast<std::size_t>(y_axis(face))] = 2 * y + 1 - n;
-    const int onto = 2 * over + (over_at < 0 ? 1 : 0);
-    const auto cell = [&](int axis) {
-        return (centre[static_cast<std::size_t>(axis)] + n - 1) / 2;
-    };
-    return Texel{onto, cell(x_axis(onto)), cell(y_axis(onto))};
 }
 
 void pcf(const CubeMap& map, std::span<const Receiver> receivers, std::span<const float> biases,
