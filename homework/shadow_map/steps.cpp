@@ -27,10 +27,11 @@ void direction_of(std::span<const Texel> texels, int n, std::span<Vec3> directio
     LUCH_TODO("shadow_map.t2");
 }
 
-/// t3. One ray through the centre of each texel of the tile, from the light: tracer.closest() with
-/// RayKind::shadow and t_min = 0. Write its distance (not its depth along the axis), infinity where
-/// it meets nothing.
-void render_face(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+/// t3. One ray through the centre of each texel (x, y) of a tile of the face, from the light:
+/// tracer.closest() with RayKind::shadow and t_min = 0. Write its distance (not its depth along the
+/// axis), infinity where it meets nothing. `distance` is an image of the tile only: (x, y) lies at
+/// (x − tile.x0, y − tile.y0).
+void render_face(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                  ImageView<float> distance) {
     LUCH_TODO("shadow_map.t3");
 }

@@ -17,7 +17,7 @@ int make_again(const std::filesystem::path& root, const grading::Regeneration& r
 
 }  // namespace
 
-Instructors instructors() {
+grading::Instructors<Sample> instructors() {
     return {mutants(), variants(), hidden_samples, make_again, handout_pictures};
 }
 

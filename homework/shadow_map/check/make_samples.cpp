@@ -65,10 +65,10 @@ void look_around(Sample& sample, const Steps& steps, Tracer& tracer) {
     const int n = sample.map.n;
     for (int face = 0; face < faces_of_cube; ++face) {
         const auto i = static_cast<std::size_t>(face);
-        sample.map.faces[i] = Image<float>({n, n});
+        Face& whole = sample.map.faces[i];
+        whole = whole_face(n, 0);
         sample.nodes[i] = Image<std::uint32_t>({n, n});
-        const Tile whole = sample.map.faces[i].view().tile();
-        steps.render_face(sample.light(), face, whole, tracer, sample.map.faces[i].view());
+        steps.render_face(sample.light(), face, n, whole.window, tracer, whole.distance.view());
         for (int y = 0; y < n; ++y) {
             for (int x = 0; x < n; ++x) {
                 const Texel texel{face, x, y};

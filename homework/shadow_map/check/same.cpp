@@ -113,7 +113,7 @@ Finding same_shares_seen(std::span<const float> yours, std::span<const float> re
 }
 
 Finding same_distances(const CubeMap& yours, const CubeMap& reference, const Sample& sample) {
-    const Image<float> got = sheet_of(yours.faces), expected = sheet_of(reference.faces);
+    const Image<float> got = sheet_of(yours), expected = sheet_of(reference);
     const Image<std::uint32_t> nodes = sheet_of(sample.nodes);
     Image<std::uint32_t> your_nodes = nodes;
     for (std::size_t i = 0; i < got.pixels().size(); ++i) {
@@ -133,8 +133,8 @@ Finding same_distances(const CubeMap& yours, const CubeMap& reference, const Sam
 }
 
 Finding same_gaps(const CubeMap& yours, const CubeMap& reference) {
-    const Image<std::uint32_t> got = gaps_of(sheet_of(yours.faces)),
-                               expected = gaps_of(sheet_of(reference.faces));
+    const Image<std::uint32_t> got = gaps_of(sheet_of(yours)),
+                               expected = gaps_of(sheet_of(reference));
     Finding finding = on_its_face(grading::same_ids(got.view(), expected.view()), yours.n);
     finding.what = fmt::format(
         "{} texels have a surface where nothing is, or nothing where one is; nothing is infinity "

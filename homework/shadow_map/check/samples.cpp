@@ -17,12 +17,16 @@ int Sample::points() const {
     return area().x_samples * area().y_samples;
 }
 
+Face whole_face(int n, float distance) {
+    return {{0, 0, n, n}, Image<float>({n, n}, distance)};
+}
+
 CubeMap speckled_map(int n) {
     CubeMap map{n, {}};
     std::uint64_t number = 0;
-    for (Image<float>& face : map.faces) {
-        face = Image<float>({n, n});
-        for (float& distance : face.pixels()) {
+    for (Face& face : map.faces) {
+        face = whole_face(n, 0);
+        for (float& distance : face.distance.pixels()) {
             distance = Key(5).uniform(number++) < 0.5 ? 1.0f : 3.0f;
         }
     }

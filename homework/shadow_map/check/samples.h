@@ -60,6 +60,9 @@ const Kind* find_light(const Scene& scene) {
     return nullptr;
 }
 
+/// All of a face, at one distance.
+Face whole_face(int n, float distance);
+
 /// A map whose texels are at 1 or at 3, as a die falls.
 CubeMap speckled_map(int n);
 /// How far spots are, and their bias: those texels at 3 let light through.

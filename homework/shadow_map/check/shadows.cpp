@@ -24,7 +24,7 @@ std::vector<float> shares(Filter filter, const CubeMap& map, std::span<const Rec
 /// Every texel at one distance, and face 3 (against y) empty.
 CubeMap even_map(int n, float distance) {
     CubeMap map{n, {}};
-    for (Image<float>& face : map.faces) face = Image<float>({n, n}, distance);
+    for (Face& face : map.faces) face = whole_face(n, distance);
     map.faces[3] = {};
     return map;
 }
@@ -73,9 +73,14 @@ std::vector<Case> ends() {
 
 Finding lit_at_the_ends(const Steps& steps, const Sample& sample) {
     CubeMap open = even_map(sample.map.n, 1);
-    open.faces[4] = Image<float>({open.n, open.n}, infinite);
+    open.faces[4] = whole_face(open.n, infinite);
+    // Of face 5 only the half where x > 0 is stored.
+    open.faces[5] = {{open.n / 2 + 1, 0, open.n, open.n},
+                     Image<float>({open.n - open.n / 2 - 1, open.n}, 1)};
     std::vector<Case> cases = ends();
     cases.push_back({{0, 0.5f, 1e20f}, 0, 1});
+    cases.push_back({{-3, 1, -8}, 0, 1});
+    cases.push_back({{3, 1, -8}, 0, 0});
     return cases_hold(steps.lit, open, cases, "odd receiver");
 }
 

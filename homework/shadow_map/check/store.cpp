@@ -86,18 +86,48 @@ void read_spots(Rows rows, Sample& sample) {
     }
 }
 
+/// Where a face begins on the sheet.
+std::pair<int, int> corner_of(int face, int n) {
+    return {face % 3 * n, face / 3 * n};
+}
+
 template <class T>
-void cut_sheet(const Image<T>& sheet, int n, std::array<Image<T>, faces_of_cube>& faces) {
-    for (int face = 0; face < faces_of_cube; ++face) {
-        Image<T>& image = faces[static_cast<std::size_t>(face)];
-        image = Image<T>({n, n});
-        for (int y = 0; y < n; ++y) {
-            for (int x = 0; x < n; ++x) image(x, y) = sheet(face % 3 * n + x, face / 3 * n + y);
+void put(const Image<T>& face, std::pair<int, int> corner, Image<T>& sheet) {
+    for (int y = 0; y < face.height(); ++y) {
+        for (int x = 0; x < face.width(); ++x) {
+            sheet(corner.first + x, corner.second + y) = face(x, y);
         }
     }
 }
 
+template <class T>
+Image<T> cut_out(const Image<T>& sheet, int n, int number) {
+    const auto [x0, y0] = corner_of(number, n);
+    Image<T> face({n, n});
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) face(x, y) = sheet(x0 + x, y0 + y);
+    }
+    return face;
+}
+
 }  // namespace
+
+Image<std::uint32_t> sheet_of(const std::array<Image<std::uint32_t>, faces_of_cube>& faces) {
+    const int n = faces[0].width();
+    Image<std::uint32_t> sheet({3 * n, 2 * n});
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        put(faces[i], corner_of(static_cast<int>(i), n), sheet);
+    }
+    return sheet;
+}
+
+Image<float> sheet_of(const CubeMap& map) {
+    Image<float> sheet({3 * map.n, 2 * map.n});
+    for (std::size_t i = 0; i < map.faces.size(); ++i) {
+        put(map.faces[i].distance, corner_of(static_cast<int>(i), map.n), sheet);
+    }
+    return sheet;
+}
 
 std::vector<grading::StoredPlane> planes_of(const Sample& sample) {
     Image<std::uint32_t> pixels({1, static_cast<int>(sample.pixels.size())});
@@ -105,7 +135,7 @@ std::vector<grading::StoredPlane> planes_of(const Sample& sample) {
     Rows grid(3, sample.grid.size());
     for (std::size_t i = 0; i < grid.size(); ++i) grid.put(0, i, sample.grid[i]);
     return {{"texels.exr", texels_plane(sample)},
-            {"map.exr", sheet_of(sample.map.faces)},
+            {"map.exr", sheet_of(sample.map)},
             {"nodes.exr", sheet_of(sample.nodes)},
             {"seen.exr", seen_plane(sample)},
             {"pixels.exr", pixels},
@@ -128,10 +158,13 @@ void read_planes(const std::filesystem::path& folder, Sample& sample) {
     read_texels(rows("texels.exr", 9), sample);
     const Image<float> map = read_float_plane(folder / "map.exr");
     fits("map.exr", map.size(), {3 * n, 2 * n});
-    cut_sheet(map, n, sample.map.faces);
     const Image<std::uint32_t> nodes = read_id_plane(folder / "nodes.exr");
     fits("nodes.exr", nodes.size(), map.size());
-    cut_sheet(nodes, n, sample.nodes);
+    for (int face = 0; face < faces_of_cube; ++face) {
+        const auto i = static_cast<std::size_t>(face);
+        sample.map.faces[i] = {{0, 0, n, n}, cut_out(map, n, face)};
+        sample.nodes[i] = cut_out(nodes, n, face);
+    }
     read_seen(rows("seen.exr", 9), sample.seen);
     const Image<std::uint32_t> pixels = read_id_plane(folder / "pixels.exr");
     fits("pixels.exr", pixels.size(), {1, static_cast<int>(sample.seen.points.size())});

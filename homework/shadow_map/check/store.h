@@ -13,19 +13,7 @@ std::vector<grading::StoredPlane> planes_of(const Sample& sample);
 void read_planes(const std::filesystem::path& folder, Sample& sample);
 
 /// Faces beside one another: 0, 1, 2 above 3, 4, 5.
-template <class T>
-Image<T> sheet_of(const std::array<Image<T>, faces_of_cube>& faces) {
-    const int n = faces[0].width();
-    Image<T> sheet({3 * n, 2 * n});
-    for (int face = 0; face < faces_of_cube; ++face) {
-        for (int y = 0; y < n; ++y) {
-            for (int x = 0; x < n; ++x) {
-                sheet(face % 3 * n + x, face / 3 * n + y) =
-                    faces[static_cast<std::size_t>(face)](x, y);
-            }
-        }
-    }
-    return sheet;
-}
+Image<std::uint32_t> sheet_of(const std::array<Image<std::uint32_t>, faces_of_cube>& faces);
+Image<float> sheet_of(const CubeMap& map);
 
 }  // namespace luch::homework::shadow_map

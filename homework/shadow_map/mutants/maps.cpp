@@ -72,16 +72,18 @@ void direction_of(std::span<const Texel> texels, int n, std::span<Vec3> directio
 struct FaceRules {
     enum Stored { distance, depth, square, inverse } stored = distance;
     float miss = infinite, t_min = 0, t_max = infinite;
-    bool corner = false, transposed = false, behind = false, whole_face = false;
+    bool corner = false, transposed = false, behind = false;
+    bool place_on_face = false, forgets_corner = false, n_of_image = false;
     bool in_float = false, twice = false;
     RayKind kind = RayKind::shadow;
 };
 
 template <FaceRules rules>
-void render_face(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+void render_face(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                  ImageView<float> distance) {
-    const int n = distance.width();
-    if (rules.whole_face) tile = distance.tile();
+    if (rules.n_of_image) n = distance.width();
+    if (rules.forgets_corner) tile = distance.tile();
+    const int x0 = rules.place_on_face ? 0 : tile.x0, y0 = rules.place_on_face ? 0 : tile.y0;
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
             const Texel texel = rules.transposed ? Texel{face, y, x} : Texel{face, x, y};
@@ -101,7 +103,7 @@ void render_face(const Vec3d& light, int face, Tile tile, Tracer& tracer,
             if (rules.stored == FaceRules::depth) stored *= float(along);
             if (rules.stored == FaceRules::square) stored *= stored;
             if (rules.stored == FaceRules::inverse) stored = 1 / stored;
-            distance(x, y) = hit ? stored : rules.miss;
+            distance.data()[(y - y0) * distance.width() + x - x0] = hit ? stored : rules.miss;
         }
     }
 }
@@ -183,8 +185,12 @@ std::vector<grading::Other> map_mutants() {
                                       "rays go through the texels' corners, not their centres"),
         face_mutant<{.transposed = true}>("transposed", "x and y of the image are swapped"),
         face_mutant<{.behind = true}>("looks_back", "rays run the other way"),
-        face_mutant<{.whole_face = true}>("whole_face",
-                                          "the whole face is rendered for each of its tiles"),
+        face_mutant<{.place_on_face = true}>(
+            "writes_past_the_tile", "written at the place on the face: the image is the tile's"),
+        face_mutant<{.forgets_corner = true}>(
+            "tile_corner_forgotten", "the tile's corner is forgotten: it begins at (x0, y0)"),
+        face_mutant<{.n_of_image = true}>(
+            "n_of_the_image", "the image's width is taken for n: it is the tile's width"),
         face_mutant<{.t_min = 1e-3f}>("fixed_epsilon",
                                       "t_min is a fixed length, under which all is lost: take 0"),
         face_mutant<{.t_max = 1e4f}>("fixed_end", "t_max is a fixed length: take infinity"),

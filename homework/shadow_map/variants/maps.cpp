@@ -107,46 +107,46 @@ Vec3d centre(int face, int x, int y, int n) {
 }
 
 /// Ray by ray, in columns.
-void face_one_by_one(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+void face_one_by_one(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                      ImageView<float> distance) {
     for (int x = tile.x0; x < tile.x1; ++x) {
         for (int y = tile.y0; y < tile.y1; ++y) {
-            const Ray ray{light, centre(face, x, y, distance.width())};
-            distance(x, y) = tracer.closest(RayKind::shadow, ray).t;
+            const Ray ray{light, centre(face, x, y, n)};
+            distance(x - tile.x0, y - tile.y0) = tracer.closest(RayKind::shadow, ray).t;
         }
     }
 }
 
 /// Directions that reach the face; t is stretched by their length.
-void face_of_long_rays(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+void face_of_long_rays(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                        ImageView<float> distance) {
-    const double n = distance.width();
     for (int y = tile.y1 - 1; y >= tile.y0; --y) {
         std::vector<Ray> rays;
         for (int x = tile.x0; x < tile.x1; ++x) {
             Vec3d d;
             d[face / 2] = 1 - 2 * (face % 2);
-            d[(face / 2 + 1) % 3] = (2 * x + 1) / n - 1;
-            d[(face / 2 + 2) % 3] = (2 * y + 1) / n - 1;
+            d[(face / 2 + 1) % 3] = (2 * x + 1) / double(n) - 1;
+            d[(face / 2 + 2) % 3] = (2 * y + 1) / double(n) - 1;
             rays.push_back({light, d});
         }
         std::vector<Hit> hits(rays.size());
         tracer.closest(RayKind::shadow, rays, hits);
         for (int x = tile.x0; x < tile.x1; ++x) {
             const auto i = static_cast<std::size_t>(x - tile.x0);
-            distance(x, y) = static_cast<float>(hits[i].t * glm::length(rays[i].direction));
+            distance(x - tile.x0, y - tile.y0) =
+                static_cast<float>(hits[i].t * glm::length(rays[i].direction));
         }
     }
 }
 
 /// From the point that was hit back to the light.
-void face_by_points(const Vec3d& light, int face, Tile tile, Tracer& tracer,
+void face_by_points(const Vec3d& light, int face, int n, Tile tile, Tracer& tracer,
                     ImageView<float> distance) {
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x) {
-            const Ray ray{light, centre(face, x, y, distance.width())};
+            const Ray ray{light, centre(face, x, y, n)};
             const Hit hit = tracer.closest(RayKind::shadow, ray);
-            distance(x, y) =
+            distance(x - tile.x0, y - tile.y0) =
                 hit ? static_cast<float>(glm::distance(ray.at(hit.t), light)) : infinite;
         }
     }

@@ -44,13 +44,14 @@ void lit_face_by_face(const CubeMap& map, std::span<const Receiver> receivers,
                       std::span<const float> biases, std::span<float> shares) {
     const std::vector<Texel> texels = texels_of(receivers, map.n);
     for (int face = faces_of_cube - 1; face >= 0; --face) {
-        const Image<float>& image = map.faces[static_cast<std::size_t>(face)];
+        const auto& [window, image] = map.faces[static_cast<std::size_t>(face)];
         for (std::size_t i = 0; i < receivers.size(); ++i) {
             if (texels[i].face != face) continue;
             const Vec3& p = receivers[i].from_light;
             const float away = std::sqrt(std::fma(p.x, p.x, std::fma(p.y, p.y, p.z * p.z)));
-            const bool blocked =
-                image.size().area() > 0 && away > image(texels[i].x, texels[i].y) + biases[i];
+            const int x = texels[i].x - window.x0, y = texels[i].y - window.y0;
+            const bool stored = x >= 0 && y >= 0 && x < image.width() && y < image.height();
+            const bool blocked = stored && away > image(x, y) + biases[i];
             shares[i] = blocked ? 0.0f : 1.0f;
         }
     }
