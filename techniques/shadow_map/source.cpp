@@ -44,8 +44,7 @@ void offset_along_normal(Receiver& receiver, float& bias) {
         bias = 0;
         return;
     }
-    // Twice as far: the offset turns the receiver to another place of the texel.
-    receiver.from_light -= 2 * bias * cosine * receiver.normal;
+    receiver.from_light -= bias * cosine * receiver.normal;
     bias = 0;
 }
 
