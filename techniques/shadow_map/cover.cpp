@@ -1,5 +1,7 @@
 #include "techniques/shadow_map/cover.h"
 
+#include <algorithm>
+
 namespace luch::techniques::shadow_map {
 namespace {
 
@@ -31,6 +33,9 @@ Corners in_pyramid(FacePolygon polygon, double pad) {
     Corners out;
     for (const Vec3d& corner : polygon) out.add(corner);
     const double wider = 2 * pad;
+    const bool inside = std::ranges::all_of(
+        polygon, [](const Vec3d& p) { return std::abs(p.x) <= p.z && std::abs(p.y) <= p.z; });
+    if (inside) return out;  // as most are
     out = clipped(out, [&](const Vec3d& p) { return p.z + wider - p.x; });
     out = clipped(out, [&](const Vec3d& p) { return p.z + wider + p.x; });
     out = clipped(out, [&](const Vec3d& p) { return p.z + wider - p.y; });

@@ -29,12 +29,11 @@ std::pair<int, int> cells(const Range& range, int n, int margin) {
 
 }  // namespace
 
-std::optional<Texel> folded(const Texel& place, int n) {
+std::optional<Texel> folded_over(const Texel& place, int n) {
     // In units of half a texel, a centre on face z has the coordinates (a, b, n). Past the edge at
     // x = n it is at (n + 1, b, n), and folded over it at (n, b, n − 1): a centre of face x.
     const auto& [face, x, y] = place;
     const bool past_x = x < 0 || x >= n, past_y = y < 0 || y >= n;
-    if (!past_x && !past_y) return place;
     if (past_x && past_y) return std::nullopt;
     std::array<int, 3> centre{};
     centre[static_cast<std::size_t>(main_axis(face))] = face % 2 == 1 ? 1 - n : n - 1;

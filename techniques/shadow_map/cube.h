@@ -29,9 +29,15 @@ template <class V>
     return 2 * axis + (d[axis] < 0 ? 1 : 0);
 }
 
-/// The texel of a place that may lie one texel past an edge of its face, folded over the edge;
-/// nothing past two edges, where there is no texel.
-std::optional<Texel> folded(const Texel& place, int n);
+/// A place past one edge of its face, folded over that edge; nothing past two, where there is no
+/// texel.
+std::optional<Texel> folded_over(const Texel& place, int n);
+
+/// The texel of a place that may lie one texel past the edges of its face.
+[[nodiscard]] inline std::optional<Texel> folded(const Texel& place, int n) {
+    const bool inside = place.x >= 0 && place.y >= 0 && place.x < n && place.y < n;
+    return inside ? std::optional(place) : folded_over(place, n);
+}
 
 /// The texels of a face through which a box is seen, n × n a face, and `margin` more on each side,
 /// but none beyond the face. The box is relative to the light; it may be infinite, and may hold the

@@ -90,12 +90,9 @@ constexpr float most_bias = 0.05f;
 
 }  // namespace
 
-void soft_shares(const CubeMap& map, double width, std::span<const Receiver> receivers,
-                 std::span<const float> biases, std::span<float> shares) {
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const Face& face : map.faces) {
-        for (const float distance : face.distance.pixels()) nearest = std::min(nearest, distance);
-    }
+void soft_shares(const CubeMap& map, float nearest, double width,
+                 std::span<const Receiver> receivers, std::span<const float> biases,
+                 std::span<float> shares) {
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         shares[i] = soft_share(map, width, nearest, receivers[i], biases[i]);
     }

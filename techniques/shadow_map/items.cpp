@@ -36,11 +36,13 @@ class FaceBuilder {
         out_.window = window;
     }
 
-    void add(NodeId id) {
+    /// A node that is seen through some texels.
+    void add(NodeId id, const Tile& seen) {
         const Node& node = scene_->nodes[id];
         const Geometry& geometry = scene_->geometries[node.geometry];
-        if (const auto* mesh = std::get_if<Mesh>(&geometry)) return add(id, node, *mesh);
-        const bool tested = !std::holds_alternative<Heightfield>(geometry) &&
+        const auto* mesh = std::get_if<Mesh>(&geometry);
+        if (mesh != nullptr && pays(*mesh, seen)) return add(id, node, *mesh);
+        const bool tested = mesh == nullptr && !std::holds_alternative<Heightfield>(geometry) &&
                             !std::holds_alternative<Csg>(geometry);
         add_box(id, node, bounds_of(geometry), tested ? 0 : Item::not_tested);
     }
@@ -68,6 +70,13 @@ class FaceBuilder {
     }
 
  private:
+    /// Triangles that are much smaller than texels cost more than they tell: their mesh is then one
+    /// item, its box.
+    static bool pays(const Mesh& mesh, const Tile& seen) {
+        constexpr std::size_t triangles_a_texel = 4;
+        return mesh.triangles.size() <= triangles_a_texel * std::max<std::size_t>(seen.area(), 64);
+    }
+
     void add(NodeId id, const Node& node, const Mesh& mesh) {
         Boxd all;
         std::vector<Vec3d> corners;
@@ -219,7 +228,8 @@ ItemFace items_of(const Scene& scene, const Content& content, const Vec3d& light
         const Boxd& box = content.things()[id].box;
         if (box.empty()) continue;
         const Boxd relative{box.lo - light, box.hi - light};
-        if (common(window_of(relative, face, n, 1), window) != Tile{}) builder.add(id);
+        const Tile seen = common(window_of(relative, face, n, 1), window);
+        if (seen != Tile{}) builder.add(id, seen);
     }
     return builder.finished();
 }

@@ -2,10 +2,9 @@
 
 #include "framework/baseline/classic.h"
 #include "framework/technique/catalogue.h"
+#include "techniques/shadow_map/judged.h"
 #include "techniques/shadow_map/planes.h"
 #include "techniques/shadow_map/source.h"
-
-#include <atomic>
 
 namespace luch::techniques::shadow_map {
 namespace {
@@ -41,6 +40,8 @@ class ShadowMap final : public Technique {
         visitor.visit({"pattern", "", "Where they lie."}, params_.pattern, pattern_words);
         visitor.visit({"memory", "MB", "Of maps; lights beyond that are left to rays."},
                       params_.memory, 0, 1 << 16);
+        visitor.visit({"judge", "", "Show what is wrong, by a shadow ray for every answer."},
+                      params_.judge);
         visitor.visit({"unwrap", "", "Show the first light's map, not the scene."}, params_.unwrap);
     }
 
@@ -59,24 +60,27 @@ class ShadowMap final : public Technique {
         if (params_.unwrap) return unwrap(atlas_, frame.colour.view());
         const Needs needs = needs_of(context.plan());
         const bool filter = params_.pcf && context.plan().needed(stage::filter);
-        const auto known_by = [&](MapSource& source) {
-            return [&source](const TileRays&) { return KnownLight{.shadows = &source}; };
-        };
+        const ShadowPlanes planes(frame, params_.judge);
         const auto colour = frame.colour.view();
-        const auto source_of = [&](int worker) {
-            return MapSource(steps_, params_, filter, atlas_, scene, context,
-                             context.tracer(worker));
+        // Calls draw(tracer, known) for a tile.
+        const auto each_tile = [&](auto&& draw) {
+            context.for_each_tile(shot.size, [&](Tile tile, int worker) {
+                Tracer& tracer = context.tracer(worker);
+                const MapSource source(steps_, params_, filter, atlas_, scene, context, tracer);
+                JudgedSource judged(source, scene, tracer, planes);
+                draw(tile, tracer, [&](const TileRays& rays) {
+                    judged.look_at(rays);
+                    return KnownLight{.shadows = &judged};
+                });
+            });
         };
-        context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-            MapSource source = source_of(worker);
-            trace_tile(scene, shot, tile, needs, context.tracer(worker), colour, known_by(source));
+        each_tile([&](Tile tile, Tracer& tracer, const KnownLightOf& known) {
+            trace_tile(scene, shot, tile, needs, tracer, colour, known);
         });
         if (!needs[Part::anti_aliasing] || !may_antialias(shot)) return;
         const Image<std::uint8_t> edges = edges_of(colour, context);
-        context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-            MapSource source = source_of(worker);
-            antialias_tile(scene, shot, tile, edges.view(), needs, context.tracer(worker), colour,
-                           known_by(source));
+        each_tile([&](Tile tile, Tracer& tracer, const KnownLightOf& known) {
+            antialias_tile(scene, shot, tile, edges.view(), needs, tracer, colour, known);
         });
     }
 

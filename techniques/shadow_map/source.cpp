@@ -44,8 +44,7 @@ void offset_along_normal(Receiver& receiver, float& bias) {
         bias = 0;
         return;
     }
-    // Twice as far: the offset turns the receiver to another place of the texel.
-    receiver.from_light -= 2 * bias * cosine * receiver.normal;
+    receiver.from_light -= bias * cosine * receiver.normal;
     bias = 0;
 }
 
@@ -127,7 +126,7 @@ void MapSource::ask_map(const Lamp& lamp, double width, std::span<const Receiver
                         std::span<const float> biases, std::span<float> shares) const {
     switch (Mode(params_->mode)) {
         case Mode::pcss:
-            return soft_shares(lamp.map, width, receivers, biases, shares);
+            return soft_shares(lamp.map, lamp.nearest, width, receivers, biases, shares);
         case Mode::vsm:
         case Mode::msm:
             return shares_by_moments(lamp.map, lamp.moments, Mode(params_->mode) == Mode::msm,

@@ -42,7 +42,7 @@ class MapSource final : public ShadowSource {
 
 /// Receivers whose bias would grow without limit, at more than this angle to the light, are moved
 /// along the normal instead.
-inline constexpr float grazing_cosine = 0.17f;
+inline constexpr float grazing_cosine = 0.035f;
 
 /// Moves a receiver that is seen at a grazing angle along its normal, to the light's side, by what
 /// its bias is worth there, and takes the bias away. On a plane at the distance K from the light a
