@@ -48,7 +48,10 @@ class MapSource final : public ShadowSource {
     void shares(std::size_t light, std::span<const Surface> points,
                 std::span<const std::uint32_t> which, std::span<float> shares) const override {
         const Lamps& lamps = lights_[light];
-        if (lamps.points.empty()) return std::ranges::fill(shares, unknown);
+        if (lamps.points.empty()) {
+            std::ranges::fill(shares, unknown);
+            return;
+        }
         std::vector<Surface> asked;
         for (const std::uint32_t i : which) asked.push_back(points[i]);
         if (lamps.facing == Vec3d(0)) return ask(lamps, 0, asked, shares);
