@@ -113,9 +113,10 @@ Finding of_one_kind(const Steps& steps, const Sample& sample) {
     const std::vector<float> here = biases(steps, receivers, n);
     std::vector<float> there = biases(steps, far, n), finer = biases(steps, receivers, 8 * n);
     for (float& each : there) each /= 4096;
+    // Whatever is left for rounding is not at stake here.
     for (std::size_t i = 0; i < finer.size(); ++i) {
-        const double rounding = rounding_share * distance_of(receivers[i]);
-        finer[i] = static_cast<float>(8 * (finer[i] - rounding) + rounding);
+        const auto rounding = static_cast<float>(rounding_share * distance_of(receivers[i]));
+        finer[i] = std::clamp(here[i], 8 * (finer[i] - rounding), 8 * finer[i]);
     }
     const auto named = [](Finding finding, const char* what) {
         if (!finding.passed) finding.what = what;

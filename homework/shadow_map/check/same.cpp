@@ -116,11 +116,13 @@ Finding same_distances(const CubeMap& yours, const CubeMap& reference, const Sam
     const Image<float> got = sheet_of(yours), expected = sheet_of(reference);
     const Image<std::uint32_t> nodes = sheet_of(sample.nodes);
     Image<std::uint32_t> your_nodes = nodes;
+    // What is not compared has another id: where one of both has nothing.
+    constexpr NodeId neither = no_node - 1;
     for (std::size_t i = 0; i < got.pixels().size(); ++i) {
         const bool nothing = got.pixels()[i] == std::numeric_limits<float>::infinity();
-        if (nothing) your_nodes.pixels()[i] = no_node;
+        if (nothing || nodes.pixels()[i] == no_node) your_nodes.pixels()[i] = neither;
     }
-    if (std::ranges::all_of(your_nodes.pixels(), [](NodeId node) { return node == no_node; })) {
+    if (std::ranges::all_of(your_nodes.pixels(), [](NodeId node) { return node == neither; })) {
         return grading::failure("no texel has a surface");
     }
     Finding finding =
@@ -133,14 +135,16 @@ Finding same_distances(const CubeMap& yours, const CubeMap& reference, const Sam
 }
 
 Finding same_gaps(const CubeMap& yours, const CubeMap& reference) {
-    const Image<std::uint32_t> got = gaps_of(sheet_of(yours)),
-                               expected = gaps_of(sheet_of(reference));
-    Finding finding = on_its_face(grading::same_ids(got.view(), expected.view()), yours.n);
+    const Image<float> got = sheet_of(yours), expected = sheet_of(reference);
+    Finding finding = grading::same_ids(gaps_of(got).view(), gaps_of(expected).view());
+    if (finding.passed) return finding;
+    const std::size_t first = finding.wrong.front();
     finding.what = fmt::format(
-        "{} texels have a surface where nothing is, or nothing where one is; nothing is infinity "
-        "(0: infinite, 1: finite, 2: neither or not > 0)",
+        "{} texels are not infinite where nothing is, or not a length where something is",
         finding.wrong.size());
-    return finding;
+    finding.first =
+        fmt::format(") expected {:.5g}, got {:.5g}", expected.pixels()[first], got.pixels()[first]);
+    return on_its_face(std::move(finding), yours.n);
 }
 
 }  // namespace luch::homework::shadow_map
