@@ -51,6 +51,13 @@ int longest_side(const std::array<Tile, faces_of_cube>& windows) {
     return longest;
 }
 
+/// The points of a light with an area share the texels of one map.
+int side_of(const Params& params, const Light& light) {
+    const bool many = std::holds_alternative<RectLight>(light) && Mode(params.mode) != Mode::pcss;
+    const double side = params.side / std::sqrt(many ? params.points : 1);
+    return std::max(static_cast<int>(side), 1);
+}
+
 /// The key of all that is seen in a window.
 std::uint64_t seen_in(const Content& content, const Vec3d& light, int face, int n,
                       const Tile& window) {
@@ -147,13 +154,14 @@ void Atlas::place(const Scene& scene, const Shot& shot, Context& context) {
 /// Sides and windows; gives the texels that they have.
 std::uint64_t Atlas::lay_out(const Light& light, const Vec3d& facing, Lamp& lamp,
                              const Plan& plan) {
+    const int side = side_of(params_, light);
     if (Layout(params_.layout) == Layout::sphere && Mode(params_.mode) == Mode::classic) {
-        lamp.sphere.n = params_.side;
-        return std::uint64_t{8} * params_.side * params_.side;
+        lamp.sphere.n = side;
+        return std::uint64_t{8} * side * side;
     }
     const auto* spot = std::get_if<SpotLight>(&light);
     const Vec3d& at = lamp.point.position;
-    int n = params_.side;
+    int n = side;
     if (params_.fit) {
         constexpr int probe = 1 << 12;
         const int longest = longest_side(windows_of(content_, at, facing, spot, probe));
@@ -168,11 +176,11 @@ std::uint64_t Atlas::lay_out(const Light& light, const Vec3d& facing, Lamp& lamp
     for (std::size_t face = 0; face < faces_of_cube; ++face) {
         Tile& window = lamp.map.faces[face].window;
         window = windows[face];
-        if (window == Tile{} && plan.needed(stage::empty_faces)) {
-            const int first = (n - std::min(n, params_.side)) / 2;
-            window = {first, first, n - first, n - first};
-        }
         texels += window.area();
+        if (window == Tile{} && plan.needed(stage::empty_faces)) {
+            const int first = (n - side) / 2;
+            window = {first, first, first + side, first + side};
+        }
     }
     return texels;
 }

@@ -126,8 +126,8 @@ Stage filter_stage(const Scene& scene, const Shot& shot, const Params& params) {
 
 /// Shadow rays are as many as pixels, a light; maps that stand still are made once.
 std::string worth(const Scene& scene, const Shot& shot, const Params& params) {
-    const auto texels = static_cast<double>(lights_of(scene, params).points) * faces_of_cube *
-                        params.side * params.side;
+    const auto maps = scene.lights.size() - lights_of(scene, params).by_rays;
+    const double texels = static_cast<double>(maps) * faces_of_cube * params.side * params.side;
     const double rays = static_cast<double>(shot.size.area()) *
                         static_cast<double>(scene.lights.size()) * std::max(shot.spp, 1);
     const bool moving = std::ranges::any_of(scene.nodes, &Node::moving);
