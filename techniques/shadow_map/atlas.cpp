@@ -214,12 +214,16 @@ void Atlas::fill(std::span<const Stale> stale, const Scene& scene, Context& cont
                                             lamp->map.n, lamp->map.faces[f].window);
         });
     }
+    // A student's own step fills what it is asked for.
+    std::optional<FaceRaster> raster;
+    const bool own = steps_.render_face != reference().render_face;
+    if (!stale.empty() && !own && context.plan().needed(stage::raster)) raster.emplace(scene);
     std::vector<Lamp*> changed;
     for (const auto& [lamp, face] : stale) {
         filled_ += lamp->sphere.n > 0
                        ? std::uint64_t{8} * lamp->sphere.n * lamp->sphere.n
                        : lamp->map.faces[static_cast<std::size_t>(face)].window.area();
-        if (!exact) fill(*lamp, face, scene, context);
+        if (!exact) fill(*lamp, face, raster ? &*raster : nullptr, context);
         if (changed.empty() || changed.back() != lamp) changed.push_back(lamp);
     }
     const Mode mode = Mode(params_.mode);
@@ -230,13 +234,17 @@ void Atlas::fill(std::span<const Stale> stale, const Scene& scene, Context& cont
     }
 }
 
-void Atlas::fill(Lamp& lamp, int face, const Scene&, Context& context) {
+void Atlas::fill(Lamp& lamp, int face, FaceRaster* raster, Context& context) {
     const Vec3d& light = lamp.point.position;
     const bool on_sphere = lamp.sphere.n > 0;
     Face& to = lamp.map.faces[static_cast<std::size_t>(face)];
     const Tile window = on_sphere ? Tile{0, 0, 4 * lamp.sphere.n, 2 * lamp.sphere.n} : to.window;
     Image<float>& distance = on_sphere ? lamp.sphere.distance : to.distance;
     distance = Image<float>({window.width(), window.height()});
+    if (raster != nullptr && window == Tile{0, 0, lamp.map.n, lamp.map.n} && !on_sphere) {
+        context.did(stage::raster, window.area(), "texels");
+        return raster->fill(light, face, context, distance.view());
+    }
     context.for_each_tile(distance.size(), [&](Tile at, int worker) {
         const Tile tile{window.x0 + at.x0, window.y0 + at.y0, window.x0 + at.x1, window.y0 + at.y1};
         Image<float> part({tile.width(), tile.height()});

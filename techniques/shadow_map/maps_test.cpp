@@ -2,7 +2,10 @@
 #include "techniques/shadow_map/cube.h"
 #include "techniques/shadow_map/filters.h"
 #include "techniques/shadow_map/moments.h"
+#include "techniques/shadow_map/raster.h"
 #include "techniques/shadow_map/sphere_map.h"
+#include "tests/testing/meshes.h"
+#include "tests/testing/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +61,33 @@ TEST(Moments, TakeAVarianceThatRoundingMadeNegativeForNone) {
     EXPECT_EQ(lit_by_variance(rounded, 0.69), 1);
     for (double z = -1; z <= 1; z += 0.01) {
         EXPECT_TRUE(lit_by_moments(rounded, z) >= 0 && lit_by_moments(rounded, z) <= 1) << z;
+    }
+}
+
+TEST(FaceRaster, SeesThroughEveryFaceWhatRaysSee) {
+    Scene scene = testing::empty_scene();
+    for (std::uint64_t i = 0; i < 12; ++i) {
+        const Vec3d at = 4.0 * Vec3d(Key(i).uniform(0), Key(i).uniform(1), Key(i).uniform(2)) - 2.0;
+        testing::add_shape(scene, testing::uv_sphere(9, 14, 0.2 + 0.05 * static_cast<double>(i)),
+                           Transform::translation(at));
+    }
+    testing::add_shape(scene, Sphere{.radius = 9});
+    const testing::OwnStudio studio(std::move(scene));
+    const auto& [of, accelerator, workers] = studio.studio();
+    Context context(accelerator, workers, {}, {});
+    FaceRaster raster(of);
+    constexpr int n = 48;
+    const Vec3d light{0.1, -0.2, 0.3};
+    for (int face = 0; face < faces_of_cube; ++face) {
+        Image<float> rastered({n, n}), traced({n, n});
+        raster.fill(light, face, context, rastered.view());
+        reference().render_face(light, face, n, {0, 0, n, n}, context.tracer(0), traced.view());
+        int off = 0;
+        for (std::size_t i = 0; i < traced.pixels().size(); ++i) {
+            const float a = rastered.pixels()[i], b = traced.pixels()[i];
+            off += std::abs(a - b) > rounding_share * b ? 1 : 0;
+        }
+        EXPECT_LE(off, 2) << face << ": rims, where a rounding decides";
     }
 }
 
