@@ -51,6 +51,13 @@ int longest_side(const std::array<Tile, faces_of_cube>& windows) {
     return longest;
 }
 
+/// The points of a light with an area share the texels of one map.
+int side_of(const Params& params, const Light& light) {
+    const bool many = std::holds_alternative<RectLight>(light) && Mode(params.mode) != Mode::pcss;
+    const double side = params.side / std::sqrt(many ? params.points : 1);
+    return std::max(static_cast<int>(side), 1);
+}
+
 /// The key of all that is seen in a window.
 std::uint64_t seen_in(const Content& content, const Vec3d& light, int face, int n,
                       const Tile& window) {
@@ -147,13 +154,14 @@ void Atlas::place(const Scene& scene, const Shot& shot, Context& context) {
 /// Sides and windows; gives the texels that they have.
 std::uint64_t Atlas::lay_out(const Light& light, const Vec3d& facing, Lamp& lamp,
                              const Plan& plan) {
+    const int side = side_of(params_, light);
     if (Layout(params_.layout) == Layout::sphere && Mode(params_.mode) == Mode::classic) {
-        lamp.sphere.n = params_.side;
-        return std::uint64_t{8} * params_.side * params_.side;
+        lamp.sphere.n = side;
+        return std::uint64_t{8} * side * side;
     }
     const auto* spot = std::get_if<SpotLight>(&light);
     const Vec3d& at = lamp.point.position;
-    int n = params_.side;
+    int n = side;
     if (params_.fit) {
         constexpr int probe = 1 << 12;
         const int longest = longest_side(windows_of(content_, at, facing, spot, probe));
@@ -168,11 +176,11 @@ std::uint64_t Atlas::lay_out(const Light& light, const Vec3d& facing, Lamp& lamp
     for (std::size_t face = 0; face < faces_of_cube; ++face) {
         Tile& window = lamp.map.faces[face].window;
         window = windows[face];
-        if (window == Tile{} && plan.needed(stage::empty_faces)) {
-            const int first = (n - std::min(n, params_.side)) / 2;
-            window = {first, first, n - first, n - first};
-        }
         texels += window.area();
+        if (window == Tile{} && plan.needed(stage::empty_faces)) {
+            const int first = (n - side) / 2;
+            window = {first, first, first + side, first + side};
+        }
     }
     return texels;
 }
@@ -206,12 +214,16 @@ void Atlas::fill(std::span<const Stale> stale, const Scene& scene, Context& cont
                                             lamp->map.n, lamp->map.faces[f].window);
         });
     }
+    // A student's own step fills what it is asked for.
+    std::optional<FaceRaster> raster;
+    const bool own = steps_.render_face != reference().render_face;
+    if (!stale.empty() && !own && context.plan().needed(stage::raster)) raster.emplace(scene);
     std::vector<Lamp*> changed;
     for (const auto& [lamp, face] : stale) {
         filled_ += lamp->sphere.n > 0
                        ? std::uint64_t{8} * lamp->sphere.n * lamp->sphere.n
                        : lamp->map.faces[static_cast<std::size_t>(face)].window.area();
-        if (!exact) fill(*lamp, face, scene, context);
+        if (!exact) fill(*lamp, face, raster ? &*raster : nullptr, context);
         if (changed.empty() || changed.back() != lamp) changed.push_back(lamp);
     }
     const Mode mode = Mode(params_.mode);
@@ -222,13 +234,17 @@ void Atlas::fill(std::span<const Stale> stale, const Scene& scene, Context& cont
     }
 }
 
-void Atlas::fill(Lamp& lamp, int face, const Scene&, Context& context) {
+void Atlas::fill(Lamp& lamp, int face, FaceRaster* raster, Context& context) {
     const Vec3d& light = lamp.point.position;
     const bool on_sphere = lamp.sphere.n > 0;
     Face& to = lamp.map.faces[static_cast<std::size_t>(face)];
     const Tile window = on_sphere ? Tile{0, 0, 4 * lamp.sphere.n, 2 * lamp.sphere.n} : to.window;
     Image<float>& distance = on_sphere ? lamp.sphere.distance : to.distance;
     distance = Image<float>({window.width(), window.height()});
+    if (raster != nullptr && window == Tile{0, 0, lamp.map.n, lamp.map.n} && !on_sphere) {
+        context.did(stage::raster, window.area(), "texels");
+        return raster->fill(light, face, context, distance.view());
+    }
     context.for_each_tile(distance.size(), [&](Tile at, int worker) {
         const Tile tile{window.x0 + at.x0, window.y0 + at.y0, window.x0 + at.x1, window.y0 + at.y1};
         Image<float> part({tile.width(), tile.height()});

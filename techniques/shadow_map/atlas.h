@@ -5,6 +5,7 @@
 #include "techniques/shadow_map/items.h"
 #include "techniques/shadow_map/moments.h"
 #include "techniques/shadow_map/plan.h"
+#include "techniques/shadow_map/raster.h"
 #include "techniques/shadow_map/shadow_map.h"
 #include "techniques/shadow_map/sphere_map.h"
 
@@ -54,7 +55,7 @@ class Atlas {
     std::uint64_t lay_out(const Light& light, const Vec3d& facing, Lamp& lamp, const Plan& plan);
     void find_stale(Lamp& lamp, std::vector<Stale>& stale) const;
     void fill(std::span<const Stale> stale, const Scene& scene, Context& context);
-    void fill(Lamp& lamp, int face, const Scene& scene, Context& context);
+    void fill(Lamp& lamp, int face, FaceRaster* raster, Context& context);
 
     Steps steps_;
     Params params_;

@@ -2,6 +2,7 @@
 
 #include "framework/baseline/stages.h"
 #include "techniques/shadow_map/content.h"
+#include "techniques/shadow_map/raster.h"
 
 #include <fmt/format.h>
 
@@ -124,10 +125,21 @@ Stage filter_stage(const Scene& scene, const Shot& shot, const Params& params) {
                                   : "texels may be of any width in pixels"};
 }
 
+/// Packets of rays and the rasteriser see the same surfaces; distances differ in their last bits.
+Stage raster_stage(const Scene& scene, const Params& params) {
+    const bool pays = Mode(params.mode) != Mode::exact && raster_pays(scene, params.side);
+    return {std::string(stage::raster), pays, Stage::bounded,
+            pays ? "most nodes are meshes of few triangles: whole faces are rasterised, about "
+                   "twice as fast as packets of rays"
+                 : "packets of rays fill the maps: things are no meshes, or their triangles are "
+                   "small; the bound is of a distance",
+            rounding_share};
+}
+
 /// Shadow rays are as many as pixels, a light; maps that stand still are made once.
 std::string worth(const Scene& scene, const Shot& shot, const Params& params) {
-    const auto texels = static_cast<double>(lights_of(scene, params).points) * faces_of_cube *
-                        params.side * params.side;
+    const auto maps = scene.lights.size() - lights_of(scene, params).by_rays;
+    const double texels = static_cast<double>(maps) * faces_of_cube * params.side * params.side;
     const double rays = static_cast<double>(shot.size.area()) *
                         static_cast<double>(scene.lights.size()) * std::max(shot.spp, 1);
     const bool moving = std::ranges::any_of(scene.nodes, &Node::moving);
@@ -176,6 +188,7 @@ Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
     plan.stages.push_back({std::string(stage::empty_faces), false, Stage::exact,
                            "nothing receives light through them"});
     plan.stages.push_back(filter_stage(scene, shot, params));
+    plan.stages.push_back(raster_stage(scene, params));
     return plan;
 }
 

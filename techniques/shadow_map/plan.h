@@ -7,7 +7,8 @@ namespace luch::techniques::shadow_map {
 /// Names of the technique's own stages.
 namespace stage {
 inline constexpr std::string_view maps = "shadow maps", empty_faces = "faces without receivers",
-                                  convex = "lone convex thing", filter = "percentage-closer";
+                                  convex = "lone convex thing", filter = "percentage-closer",
+                                  raster = "rasterised maps";
 }
 
 /// Texels narrower than this many pixels need no filter.

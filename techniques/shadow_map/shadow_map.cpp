@@ -5,6 +5,7 @@
 #include "techniques/shadow_map/judged.h"
 #include "techniques/shadow_map/planes.h"
 #include "techniques/shadow_map/source.h"
+#include "techniques/shadow_map/stress.h"
 
 namespace luch::techniques::shadow_map {
 namespace {
@@ -103,7 +104,8 @@ TechniqueInfo describe() {
             .title = "shadow maps of distance around each light",
             .topic = "5. shadow maps",
             .create = [] { return make(reference()); },
-            .sweep = {"side", side_sweep, -0.5}};
+            .sweep = {"side", side_sweep, -0.5},
+            .stress_cases = stress_cases};
 }
 
 }  // namespace luch::techniques::shadow_map

@@ -140,7 +140,7 @@ enum class Layout { cube, sphere };
 /// What a user may set.
 struct Params {
     int mode = 0;        ///< an index: Mode
-    int side = 512;      ///< texels along an edge of a face
+    int side = 512;      ///< texels along an edge of a face; the points of a light share them
     bool pcf = true;     ///< classic: the mean of 3 × 3 comparisons, or one
     int layout = 0;      ///< classic: an index: Layout
     double bias = 1.01;  ///< times the bias that geometry asks for
@@ -148,7 +148,7 @@ struct Params {
     bool fit = true;  ///< a far light's faces are cut to what receives its light, and divided finer
     int points = 16;  ///< point lights that stand for a light with an area
     int pattern = 1;  ///< an index: Pattern
-    int memory = 256;     ///< MB of maps; the lights beyond that are left to rays
+    int memory = 64;  ///< MB of maps; the lights beyond that are left to rays
     bool judge = false;   ///< planes of what is wrong, by a shadow ray for every answer
     bool unwrap = false;  ///< the frame shows the first light's faces
 };

@@ -100,22 +100,37 @@ void lit(const CubeMap& map, std::span<const Receiver> receivers, std::span<cons
     }
 }
 
+/// Past an edge of the face, or of what is stored of it: texel by texel.
+float pcf_at_rim(const CubeMap& map, const Texel& texel, float distance, float bias) {
+    float sum = 0, count = 0;
+    for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            const auto there = folded({texel.face, texel.x + dx, texel.y + dy}, map.n);
+            if (!there) continue;
+            sum += lit(map, *there, distance, bias);
+            count += 1;
+        }
+    }
+    return sum / count;
+}
+
 void pcf(const CubeMap& map, std::span<const Receiver> receivers, std::span<const float> biases,
          std::span<float> shares) {
     const std::vector<Texel> texels = texels_of(receivers, map.n);
     for (std::size_t i = 0; i < receivers.size(); ++i) {
         const float distance = glm::length(receivers[i].from_light);
-        float sum = 0, count = 0;
-        for (int dy = -1; dy <= 1; ++dy) {
-            for (int dx = -1; dx <= 1; ++dx) {
-                const auto& [face, x, y] = texels[i];
-                const auto there = folded({face, x + dx, y + dy}, map.n);
-                if (!there) continue;
-                sum += lit(map, *there, distance, biases[i]);
-                count += 1;
-            }
+        const auto& [window, stored] = map.faces[static_cast<std::size_t>(texels[i].face)];
+        const int x = texels[i].x - window.x0, y = texels[i].y - window.y0;
+        if (x < 1 || y < 1 || x + 1 >= stored.width() || y + 1 >= stored.height()) {
+            shares[i] = pcf_at_rim(map, texels[i], distance, biases[i]);
+            continue;
         }
-        shares[i] = sum / count;
+        int sum = 0;
+        const float* row = &stored(x - 1, y - 1);
+        for (int dy = 0; dy < 3; ++dy, row += stored.width()) {
+            for (int dx = 0; dx < 3; ++dx) sum += distance <= row[dx] + biases[i] ? 1 : 0;
+        }
+        shares[i] = static_cast<float>(sum) / 9;
     }
 }
 
