@@ -61,13 +61,14 @@ class ShadowMap final : public Technique {
         if (params_.unwrap) return unwrap(atlas_, frame.colour.view());
         const Needs needs = needs_of(context.plan());
         const bool filter = params_.pcf && context.plan().needed(stage::filter);
+        const Steps steps = asked_steps(steps_, filter, context);
         const ShadowPlanes planes(frame, params_.judge);
         const auto colour = frame.colour.view();
         // Calls draw(tracer, known) for a tile.
         const auto each_tile = [&](auto&& draw) {
             context.for_each_tile(shot.size, [&](Tile tile, int worker) {
                 Tracer& tracer = context.tracer(worker);
-                const MapSource source(steps_, params_, filter, atlas_, scene, context, tracer);
+                const MapSource source(steps, params_, filter, atlas_, scene, context, tracer);
                 JudgedSource judged(source, scene, tracer, planes);
                 draw(tile, tracer, [&](const TileRays& rays) {
                     judged.look_at(rays);

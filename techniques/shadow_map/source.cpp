@@ -36,6 +36,18 @@ double width_of(const Light& light) {
 
 }  // namespace
 
+Steps asked_steps(const Steps& steps, bool filter, Context& context) {
+    Steps asked = steps;
+    const CubeMap none{1, {}};
+    if (!written(context, [&] { steps.bias({}, 1, {}); })) asked.bias = reference().bias;
+    if (filter) {
+        if (!written(context, [&] { steps.pcf(none, {}, {}, {}); })) asked.pcf = reference().pcf;
+    } else if (!written(context, [&] { steps.lit(none, {}, {}, {}); })) {
+        asked.lit = reference().lit;
+    }
+    return asked;
+}
+
 void offset_along_normal(Receiver& receiver, float& bias) {
     const float distance = glm::length(receiver.from_light);
     const float cosine = glm::dot(receiver.normal, receiver.from_light) / distance;

@@ -5,6 +5,10 @@
 
 namespace luch::techniques::shadow_map {
 
+/// The steps that a frame asks for every point, with the reference's where there are holes: points
+/// in mirrors are asked one by one, and a hole for each would take longer than the picture.
+Steps asked_steps(const Steps& steps, bool filter, Context& context);
+
 /// What the maps know of light; a tile's own, since it counts.
 class MapSource final : public ShadowSource {
  public:
