@@ -4,6 +4,7 @@
 #include "framework/technique/catalogue.h"
 #include "framework/technique/todo.h"
 #include "techniques/shadow_map/shadow_map.h"
+#include "techniques/shadow_map/stress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,8 @@ TechniqueInfo describe() {
             .title = "shadow maps: yours",
             .topic = "5. shadow maps",
             .create = [] { return make(steps()); },
-            .sweep = {"side", side_sweep, -0.5}};
+            .sweep = {"side", side_sweep, -0.5},
+            .stress_cases = stress_cases};
 }
 
 }  // namespace luch::homework::shadow_map

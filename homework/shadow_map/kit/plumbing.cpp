@@ -2,9 +2,11 @@
 // solutions. It has the lecture's maps, without what makes them quick or exact. Where a step is not
 // written something simple stands in (stand_ins.cpp), and the picture is hatched.
 #include "framework/baseline/classic.h"
+#include "techniques/shadow_map/judged.h"
 #include "techniques/shadow_map/shadow_map.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace luch::techniques::shadow_map {
 namespace {
@@ -100,6 +102,20 @@ class MapSource final : public ShadowSource {
     Context* context_;
 };
 
+/// The steps that a frame asks for every point; something stands in where there are holes. One call
+/// with nothing to do tells: a hole for each point would take longer than the picture.
+Steps asked_steps(const Steps& steps, bool filter, Context& context) {
+    Steps asked = steps;
+    const CubeMap none{1, {}};
+    if (!written(context, [&] { steps.bias({}, 1, {}); })) asked.bias = reference().bias;
+    if (filter) {
+        if (!written(context, [&] { steps.pcf(none, {}, {}, {}); })) asked.pcf = reference().pcf;
+    } else if (!written(context, [&] { steps.lit(none, {}, {}, {}); })) {
+        asked.lit = reference().lit;
+    }
+    return asked;
+}
+
 /// The faces of a map, 0, 1, 2 above 3, 4, 5; near things are bright, blue is infinity.
 void unwrap(const CubeMap& map, ImageView<Rgb> colour) {
     float nearest = std::numeric_limits<float>::infinity();
@@ -128,6 +144,8 @@ class ShadowMap final : public Technique {
         visitor.visit({"points", "", "That stand for a light with an area."}, params_.points, 1,
                       1024);
         visitor.visit({"pattern", "", "Where they lie."}, params_.pattern, pattern_words);
+        visitor.visit({"judge", "", "Show what is wrong, by a shadow ray for every answer."},
+                      params_.judge);
         visitor.visit({"unwrap", "", "Show the first light's map, not the scene."}, params_.unwrap);
     }
 
@@ -141,8 +159,12 @@ class ShadowMap final : public Technique {
         for (std::size_t i = 0; i < lights_.size(); ++i) {
             Lamps& lamps = lights_[i];
             place(scene.lights[i], Key(shot.seed).branch(i), lamps, context);
+            // The points of a light with an area share the texels of one map.
+            const bool many = std::holds_alternative<RectLight>(scene.lights[i]);
+            const double side = params_.side / std::sqrt(many ? params_.points : 1);
             for (const LightPoint& point : lamps.points) {
-                lamps.maps.push_back(map_around(point.position, context));
+                lamps.maps.push_back(
+                    map_around(point.position, std::max(static_cast<int>(side), 1), context));
             }
         }
     }
@@ -153,16 +175,30 @@ class ShadowMap final : public Technique {
         if (params_.unwrap && first != lights_.end()) {
             unwrap(first->maps[0], frame.colour.view());
         } else {
-            const MapSource source(steps_, params_, lights_, context);
-            trace_frame(scene, shot, needs_of(context.plan()), context, frame.colour.view(),
-                        [&](int) {
-                            return [&](const TileRays&) { return KnownLight{.shadows = &source}; };
-                        });
+            draw(scene, shot, frame, context);
         }
         if (!context.unwritten().empty()) hatch(frame.colour.view());
     }
 
  private:
+    void draw(const Scene& scene, const Shot& shot, Frame& frame, Context& context) const {
+        const Steps steps = asked_steps(steps_, params_.pcf, context);
+        const MapSource source(steps, params_, lights_, context);
+        const ShadowPlanes planes(frame, params_.judge);
+        std::vector<JudgedSource> judged;
+        for (int i = 0; i < context.workers(); ++i) {
+            judged.emplace_back(source, scene, context.tracer(i), planes);
+        }
+        trace_frame(scene, shot, needs_of(context.plan()), context, frame.colour.view(),
+                    [&](int worker) {
+                        JudgedSource& own = judged[static_cast<std::size_t>(worker)];
+                        return [&own](const TileRays& rays) {
+                            own.look_at(rays);
+                            return KnownLight{.shadows = &own};
+                        };
+                    });
+    }
+
     void place(const Light& light, Key key, Lamps& lamps, Context& context) const {
         if (const auto* point = std::get_if<PointLight>(&light)) {
             lamps.points = {{point->position}};
@@ -175,8 +211,7 @@ class ShadowMap final : public Technique {
         }
     }
 
-    [[nodiscard]] CubeMap map_around(const Vec3d& light, Context& context) const {
-        const int n = params_.side;
+    [[nodiscard]] CubeMap map_around(const Vec3d& light, int n, Context& context) const {
         CubeMap map{n, {}};
         for (int face = 0; face < faces_of_cube; ++face) {
             auto& [window, distance] = map.faces[static_cast<std::size_t>(face)];
