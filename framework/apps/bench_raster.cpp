@@ -11,7 +11,7 @@ void print(const RasterSpeed& speed) {
     fmt::print("{}: {} triangles, {} pixels, {} of them covered\n", speed.mesh, speed.triangles,
                speed.pixels, speed.covered);
     for (const RasterModeSpeed& mode : speed.modes) {
-        fmt::print("  {:<7} {:<12} {:8.2f} Mpx/s {:6.2f} x\n", mode.backend, mode.mode,
+        fmt::print("  {:<7} {:<18} {:8.2f} Mpx/s {:6.2f} x\n", mode.backend, mode.mode,
                    mode.mpixels_per_s, speed.ratio_of(mode));
     }
     fmt::print("  {} ambiguous pixels traced; {} pixels differ from the single ray\n",

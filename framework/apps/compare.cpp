@@ -162,7 +162,9 @@ std::vector<Limit> Compare::limits() const {
 
 Side Compare::rendered(const std::string& name, const Session& session, const Shot& shot) const {
     const auto technique = make_technique(name);
-    Outcome outcome = luch::run(*technique, session.studio(), shot, session.budget(), {1, frames_});
+    Budget budget = session.budget();
+    budget.planes = false;
+    Outcome outcome = luch::run(*technique, session.studio(), shot, budget, {1, frames_});
     if (!outcome.plan.applies) {
         throw Error(name + " does not apply to this scene: " + outcome.plan.why);
     }

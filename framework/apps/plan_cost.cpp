@@ -27,10 +27,12 @@ PlanCost cost_of_plan(Technique& technique, const Studio& planned, const Acceler
                       const Shot& shot, int frames) {
     constexpr Repeat once{.warm_up = 0, .frames = 1};
     const Studio all{planned.scene, forced, planned.workers};
-    const Budget everything{.forced = left_out(technique.plan(planned.scene, shot))};
+    const Budget as_planned{.planes = false};
+    const Budget everything{.planes = false,
+                            .forced = left_out(technique.plan(planned.scene, shot))};
     PlanCost cost;
     for (int i = -1; i < frames; ++i) {
-        cost.planned = run(technique, planned, shot, {}, once);
+        cost.planned = run(technique, planned, shot, as_planned, once);
         cost.forced = run(technique, all, shot, everything, once);
         if (i < 0 || !cost.planned.plan.applies) continue;
         cost.planned_ms.push_back(median(cost.planned.cpu_ms));

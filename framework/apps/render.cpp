@@ -48,6 +48,7 @@ class Render final : public Verb {
         if (watch && frames_ > 1) throw Error("--ray-log records one frame; leave --frames out");
         Progress progress;
         Budget budget = session.budget();
+        budget.planes = false;
         // A log of a program's output wants no line for each part of a picture.
         if (progress.on_terminal()) {
             budget.on_part = [&](double part) { progress.step(part, scene_); };

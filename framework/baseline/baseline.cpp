@@ -12,14 +12,7 @@ class Baseline final : public Technique {
     }
 
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
-        const Needs needs = needs_of(context.plan());
-        const auto colour = frame.colour.view();
-        context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-            trace_tile(scene, shot, tile, needs, context.tracer(worker), colour);
-        });
-        if (needs[Part::anti_aliasing] && may_antialias(shot)) {
-            antialias(scene, shot, needs, context, colour);
-        }
+        trace_frame(scene, shot, needs_of(context.plan()), context, frame.colour.view());
     }
 };
 

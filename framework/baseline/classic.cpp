@@ -79,12 +79,23 @@ Image<std::uint8_t> edges_of(ImageView<const Rgb> colour, Context& context) {
 }
 
 void antialias(const Scene& scene, const Shot& shot, const Needs& needs, Context& context,
-               ImageView<Rgb> colour) {
+               ImageView<Rgb> colour, const KnownLightOfWorker& known_of) {
     // The edges are found in the picture as it was, whatever the order of the tiles.
     const Image<std::uint8_t> edges = edges_of(colour, context);
     context.for_each_tile(colour.size(), [&](Tile tile, int worker) {
-        antialias_tile(scene, shot, tile, edges.view(), needs, context.tracer(worker), colour);
+        antialias_tile(scene, shot, tile, edges.view(), needs, context.tracer(worker), colour,
+                       known_of ? known_of(worker) : KnownLightOf{});
     });
+}
+
+void trace_frame(const Scene& scene, const Shot& shot, const Needs& needs, Context& context,
+                 ImageView<Rgb> colour, const KnownLightOfWorker& known_of) {
+    context.for_each_tile(colour.size(), [&](Tile tile, int worker) {
+        trace_tile(scene, shot, tile, needs, context.tracer(worker), colour,
+                   known_of ? known_of(worker) : KnownLightOf{});
+    });
+    if (!needs[Part::anti_aliasing] || !may_antialias(shot)) return;
+    antialias(scene, shot, needs, context, colour, known_of);
 }
 
 void antialias_tile(const Scene& scene, const Shot& shot, const Tile& tile,

@@ -12,6 +12,8 @@ namespace luch {
 /// What is known of the light at some rays of a tile, their hits being known; asked before they are
 /// shaded. What it points to is used until then only.
 using KnownLightOf = std::function<KnownLight(const TileRays&)>;
+/// The same, to be asked by each worker before each of its tiles; used until it asks again.
+using KnownLightOfWorker = std::function<KnownLightOf(int worker)>;
 
 /// Fills a tile with the mean of all of a pixel's samples, hits found by tracing. Where there is no
 /// ray it is black.
@@ -42,12 +44,16 @@ Image<std::uint8_t> edges_of(ImageView<const Rgb> colour, Context& context);
 /// the mean of the five by more than 0.1 in a displayed channel, four more samples are taken around
 /// the centre. A heuristic: an edge that no pixel's centre saw stays jagged.
 void antialias(const Scene& scene, const Shot& shot, const Needs& needs, Context& context,
-               ImageView<Rgb> colour);
+               ImageView<Rgb> colour, const KnownLightOfWorker& known_of = {});
 
 /// A tile of it. `edges` is edges_of() the picture.
 void antialias_tile(const Scene& scene, const Shot& shot, const Tile& tile,
                     ImageView<const std::uint8_t> edges, const Needs& needs, Tracer& tracer,
                     ImageView<Rgb> colour, const KnownLightOf& known = {});
+
+/// A whole frame: every tile traced and, where scene and shot ask for it, antialiased.
+void trace_frame(const Scene& scene, const Shot& shot, const Needs& needs, Context& context,
+                 ImageView<Rgb> colour, const KnownLightOfWorker& known_of = {});
 
 /// The rays of its samples and their hits: 0 ≤ sample < antialias_samples.
 void shoot_edges(const Shot& shot, const Tile& tile, int sample,

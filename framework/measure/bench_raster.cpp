@@ -85,12 +85,31 @@ std::vector<Contender> own_contenders(Arena& arena, const Workers& workers) {
     const auto shoot = [&](std::size_t i) {
         arena.accelerator->closest(arena.rays[i], arena.hits[i], arena.work[i]);
     };
+    // What a renderer does: a tile's rays are made when they are needed, its hits are used at once.
+    const auto make_and_resolve = [&](std::size_t i) {
+        const auto tile = static_cast<int>(i);
+        const RayPacket rays = arena.buffer->rays(tile);
+        HitPacket hits;
+        if (arena.buffer->resolve(tile, rays, hits) == 0) return;
+        arena.buffer->trace_ambiguous(tile, rays, *arena.accelerator, hits, arena.work[i]);
+    };
+    const auto make_and_shoot = [&](std::size_t i) {
+        HitPacket hits;
+        arena.accelerator->closest(arena.buffer->rays(static_cast<int>(i)), hits, arena.work[i]);
+    };
     return {{"luch", "ids", [] {}, draw},
             {"luch", "packets", [] {}, [&, shoot] { for_each_tile(arena, workers, shoot); }},
             {"luch", "ids+resolve", [] {},
              [&, draw, resolve] {
                  draw();
                  for_each_tile(arena, workers, resolve);
+             }},
+            {"luch", "frame: packets", [] {},
+             [&, make_and_shoot] { for_each_tile(arena, workers, make_and_shoot); }},
+            {"luch", "frame: ids+resolve", [] {},
+             [&, draw, make_and_resolve] {
+                 draw();
+                 for_each_tile(arena, workers, make_and_resolve);
              }}};
 }
 

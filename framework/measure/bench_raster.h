@@ -18,7 +18,9 @@ struct RasterBench {
 };
 
 /// A way to find what every pixel shows: "ids" and "ids+resolve" are the item buffer's (the latter
-/// gives all hits, ambiguous pixels traced), "packets" luch's rays, the rest Embree's modes.
+/// gives all hits, ambiguous pixels traced), "packets" luch's rays, the rest Embree's modes. With
+/// "frame: " rays are made tile by tile and hits are not kept, as in a renderer; else all rays were
+/// made before, as Embree's were.
 struct RasterModeSpeed {
     std::string backend, mode;
     double mpixels_per_s = 0;

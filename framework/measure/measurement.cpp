@@ -24,6 +24,7 @@ Outcome outcome_of(const Subject& subject, const Workbench& bench, std::uint64_t
     shot.seed = seed;
     Budget budget = bench.budget;
     budget.skip = subject.skip;
+    budget.planes = false;
     return run(*technique, bench.studio, shot, budget, repeat);
 }
 

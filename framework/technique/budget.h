@@ -15,6 +15,8 @@ struct Budget {
     std::optional<double> deadline_ms = std::nullopt;
     /// False: every stage of the plan is run, needed or not.
     bool skip = true;
+    /// False: nobody looks at a frame's planes; a technique need not draw them.
+    bool planes = true;
     /// These are run, needed or not.
     std::vector<std::string> forced{};
     /// Told how much of a frame is done, 0..1, by techniques that may take long; from one thread.

@@ -1,7 +1,5 @@
 // The tasks of this homework and their points, by the ids that steps.cpp, the handout and the tests
 // share; and what the checker needs besides.
-#include "framework/base/error.h"
-#include "framework/grading/checker.h"
 #include "homework/vista/check/instructors.h"
 #include "homework/vista/check/tests.h"
 
@@ -11,22 +9,9 @@ Steps steps();
 
 namespace {
 
-void add(Samples& samples, std::vector<Sample> more) {
-    for (Sample& sample : more) {
-        samples.push_back(std::make_shared<const Sample>(std::move(sample)));
-    }
-}
-
 grading::Homework make(const std::filesystem::path& root, std::optional<std::uint64_t> seed) {
-    const Instructors instructed = instructors();
-    Samples samples;
-    add(samples, stored_samples(root));
-    if (seed) {
-        if (instructed.samples_from_seed == nullptr) {
-            throw Error("--seed: the reference steps are not part of this tree");
-        }
-        add(samples, instructed.samples_from_seed(*seed));
-    }
+    const grading::Instructors<Sample> instructed = instructors();
+    const Samples samples = grading::all_samples(stored_samples(root), seed, instructed);
     return {.topic = "vista",
             .readme = "homework/vista/README.md",
             .yours = steps(),
@@ -40,7 +25,7 @@ grading::Homework make(const std::filesystem::path& root, std::optional<std::uin
 }  // namespace
 
 grading::Checker checker() {
-    const Instructors instructed = instructors();
+    const grading::Instructors<Sample> instructed = instructors();
     return {"vista", make, instructed.regenerate, instructed.handout};
 }
 

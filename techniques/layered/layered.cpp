@@ -40,17 +40,6 @@ Depths depths_of(const Fragments& fragments) {
     return depths;
 }
 
-/// A technique that has no lens to look through is the baseline.
-void render_pinhole(const Scene& scene, const Shot& shot, const Needs& needs, Frame& frame,
-                    Context& context) {
-    context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-        trace_tile(scene, shot, tile, needs, context.tracer(worker), frame.colour.view());
-    });
-    if (needs[Part::anti_aliasing] && may_antialias(shot)) {
-        antialias(scene, shot, needs, context, frame.colour.view());
-    }
-}
-
 class Layered : public Technique {
  public:
     Layered(const Steps& steps, Mode mode) : composite_(steps) {
@@ -80,7 +69,7 @@ class Layered : public Technique {
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
         const Needs needs = needs_of(context.plan()).without(Part::lens);
         if (!shot.camera.has_lens()) {
-            render_pinhole(scene, shot, needs, frame, context);
+            trace_frame(scene, shot, needs, context, frame.colour.view());  // the baseline
         } else if (Mode(params_.mode) == Mode::lens) {
             render_lens(shot, needs, frame, context);
         } else {
@@ -129,6 +118,7 @@ class Layered : public Technique {
             },
             side);
         if (blur) context.did(stage::blur, followed, "lens rays");
+        if (!context.budget().planes) return;
         show(shot, frame, [&](float depth) {
             const float place = planes.position(signed_radius_px(std::min(depth, sky), lens));
             return static_cast<std::uint32_t>(std::lround(place));
@@ -145,9 +135,12 @@ class Layered : public Technique {
             for (float& depth : depths.pixels()) depth = std::max(depth, focus);
         }
         const std::vector<float> cuts = composite_.cuts(depths, layer_count(params_), context);
-        show(shot, frame, [&](float depth) {
-            return static_cast<std::uint32_t>(std::ranges::upper_bound(cuts, depth) - cuts.begin());
-        });
+        if (context.budget().planes) {
+            show(shot, frame, [&](float depth) {
+                return static_cast<std::uint32_t>(std::ranges::upper_bound(cuts, depth) -
+                                                  cuts.begin());
+            });
+        }
         if (!context.plan().needed(stage::blur)) {
             frame.colour = fragments_.colour();
             return;

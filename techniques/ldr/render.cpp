@@ -71,7 +71,8 @@ void Renderer<Canvas>::first_pass(const Tile& tile, Worker& worker, Tracer& trac
         find_slots(tile, worker);
         mark_not_numbers(worker);
         worker.canvas.add(worker.pixels, worker.slots, sample, samples_, worker.up);
-        if (sample == 0) draw_planes(worker.pixels, job_.look, job_.frame);
+        if (sample == 0 && job_.context.budget().planes)
+            draw_planes(worker.pixels, job_.look, job_.frame);
     }
     if (keeps_) keep(tile, worker);
     develop(tile, worker, samples_);

@@ -243,7 +243,7 @@ void ExactBuffer::draw(const Shot& shot, int segments, bool stand_ins, Context& 
     context.pause("stand-ins");
 }
 
-void ExactBuffer::look_up(Tile tile, Tracer& tracer, const ExactPlanes& planes, RayPacket& rays,
+void ExactBuffer::look_up(Tile tile, Tracer& tracer, const ExactPlanes* planes, RayPacket& rays,
                           HitPacket& hits) const {
     constexpr int side = ItemBuffer::tile_side;
     const int across = (screen_->size().width + side - 1) / side;
@@ -255,7 +255,7 @@ void ExactBuffer::look_up(Tile tile, Tracer& tracer, const ExactPlanes& planes, 
     for (const NodeId node : hulls_.boundless) pixels.test(node);
     if (fronts_) pixels.test_fronts(*fronts_, hulls_, index);
     pixels.trace();
-    pixels.write(planes, is_mesh_);
+    if (planes != nullptr) pixels.write(*planes, is_mesh_);
     tracer.record(log);
     if (log != nullptr) pixels.record(*log);
     pixels.compact();

@@ -32,8 +32,8 @@ class ExactBuffer {
     void draw(const Shot& shot, int segments, bool stand_ins, Context& context);
 
     /// Finds the hits of a tile that lies in one of Context's tiles: rays and hits in the order of
-    /// for_each_pixel(), as shade_tile() wants them.
-    void look_up(Tile tile, Tracer& tracer, const ExactPlanes& planes, RayPacket& rays,
+    /// for_each_pixel(), as shade_tile() wants them. Without `planes` nothing is shown.
+    void look_up(Tile tile, Tracer& tracer, const ExactPlanes* planes, RayPacket& rays,
                  HitPacket& hits) const;
 
     [[nodiscard]] const Hulls& hulls() const { return hulls_; }

@@ -50,9 +50,7 @@ class Vista : public Technique {
         } else if (context.plan().needed("item buffer")) {
             render_exact(scene, shot, needs, frame, context);
         } else {
-            context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-                trace_tile(scene, shot, tile, needs, context.tracer(worker), frame.colour.view());
-            });
+            return trace_frame(scene, shot, needs, context, frame.colour.view());
         }
         if (needs[Part::anti_aliasing] && may_antialias(shot)) {
             antialias(scene, shot, needs, context, frame.colour.view());
@@ -81,18 +79,20 @@ class Vista : public Technique {
     void render_exact(const Scene& scene, const Shot& shot, const Needs& needs, Frame& frame,
                       Context& context) {
         exact_.draw(shot, asked_segments(params_), context.plan().needed("stand-ins"), context);
-        const ExactPlanes planes{
-            frame.plane<NodeId>("ids", PlaneKind::id).view(),
-            frame.plane<std::uint32_t>("triangles", PlaneKind::id).view(),
-            frame.plane<std::uint8_t>("fallbacks", PlaneKind::mask).view(),
-            frame.plane<float>("lod", PlaneKind::scalar, "segments", 0, 64).view()};
+        std::optional<ExactPlanes> planes;
+        if (context.budget().planes) {
+            planes = {frame.plane<NodeId>("ids", PlaneKind::id).view(),
+                      frame.plane<std::uint32_t>("triangles", PlaneKind::id).view(),
+                      frame.plane<std::uint8_t>("fallbacks", PlaneKind::mask).view(),
+                      frame.plane<float>("lod", PlaneKind::scalar, "segments", 0, 64).view()};
+        }
         std::atomic<std::uint64_t> searched = 0;
         context.for_each_tile(shot.size, [&](Tile tile, int worker) {
             Tracer& tracer = context.tracer(worker);
             const std::uint64_t before = tracer.counts().fallbacks;
             RayPacket rays;
             HitPacket hits;
-            exact_.look_up(tile, tracer, planes, rays, hits);
+            exact_.look_up(tile, tracer, planes ? &*planes : nullptr, rays, hits);
             searched += tracer.counts().fallbacks - before;
             shade_tile(scene, shot, tile, needs, tracer, rays, hits, frame.colour.view());
         });

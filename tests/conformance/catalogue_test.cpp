@@ -60,6 +60,13 @@ TEST_P(Conformance, LosesNoBitByLeavingOutWhatIsExact) {
     EXPECT_EQ(planned.frame.colour, forced.frame.colour);
 }
 
+TEST_P(Conformance, LosesNoBitWhereNobodyLooksAtItsPlanes) {
+    const Outcome shown = rendered(testing::bit_of_everything());
+    const Outcome unseen = rendered(testing::bit_of_everything(), 2, {.planes = false});
+    EXPECT_EQ(unseen.frame.colour, shown.frame.colour);
+    EXPECT_EQ(unseen.counts.rays, shown.counts.rays);
+}
+
 TEST_P(Conformance, KeepsNothingBetweenFramesAndInstances) {
     const testing::OwnStudio studio(testing::bit_of_everything());
     const testing::OwnStudio other(testing::sixty_spheres());

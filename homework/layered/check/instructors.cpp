@@ -36,7 +36,7 @@ std::vector<grading::NamedPicture> pictures(const std::filesystem::path& root) {
 
 }  // namespace
 
-Instructors instructors() {
+grading::Instructors<Sample> instructors() {
     return {mutants(), variants(), hidden_samples, make_again, pictures};
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "framework/grading/homework.h"
+#include "framework/grading/instructors.h"
 #include "homework/layered/check/samples.h"
 
 // The tests of each task; every one asks only the step that it is about.
 namespace luch::homework::layered {
 
-using Samples = std::vector<std::shared_ptr<const Sample>>;
+using Samples = grading::SharedSamples<Sample>;
 
 grading::Task cut_task(const Samples& samples);
 grading::Task coc_task(const Samples& samples);

@@ -1,22 +1,12 @@
 #pragma once
 
-#include "framework/grading/checker.h"
-#include "homework/ldr/check/tests.h"
-
-#include <cstdint>
-#include <vector>
+#include "framework/grading/instructors.h"
+#include "homework/ldr/check/samples.h"
 
 namespace luch::homework::ldr {
 
-/// The part of the checker that needs the reference steps. A students' kit has another source of
+/// The part of the checker that needs the reference steps. The students' kit has another source of
 /// this, where all of it is empty.
-struct Instructors {
-    std::vector<grading::Other> mutants, variants;
-    /// Samples that nobody has seen.
-    std::vector<Sample> (*samples_from_seed)(std::uint64_t seed) = nullptr;
-    /// See grading::Checker.
-    decltype(grading::Checker::regenerate) regenerate = nullptr;
-};
-Instructors instructors();
+grading::Instructors<Sample> instructors();
 
 }  // namespace luch::homework::ldr

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "framework/grading/homework.h"
+#include "framework/grading/instructors.h"
 #include "homework/ldr/check/samples.h"
 
 // The tests of each task; every one asks only the step that it is about.
 namespace luch::homework::ldr {
 
-using Samples = std::vector<std::shared_ptr<const Sample>>;
+using Samples = grading::SharedSamples<Sample>;
 
 grading::Task encode_task(const Samples& samples);
 grading::Task add_task(const Samples& samples);

@@ -21,7 +21,7 @@ std::vector<grading::NamedPicture> pictures(const std::filesystem::path& root) {
 
 }  // namespace
 
-Instructors instructors() {
+grading::Instructors<Sample> instructors() {
     return {mutants(), variants(), hidden_samples, make_again, pictures};
 }
 

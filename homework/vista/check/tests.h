@@ -1,12 +1,12 @@
 #pragma once
 
-#include "framework/grading/homework.h"
+#include "framework/grading/instructors.h"
 #include "homework/vista/check/samples.h"
 
 // The tests of each task; every one asks only the step that it is about.
 namespace luch::homework::vista {
 
-using Samples = std::vector<std::shared_ptr<const Sample>>;
+using Samples = grading::SharedSamples<Sample>;
 
 grading::Task lod_task(const LodSample& lod);
 grading::Task tessellate_task(const Samples& samples);

@@ -3,7 +3,7 @@
 
 namespace luch::homework::layered {
 
-Instructors instructors() {
+grading::Instructors<Sample> instructors() {
     return {};
 }
 

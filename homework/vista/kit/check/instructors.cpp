@@ -3,7 +3,7 @@
 
 namespace luch::homework::vista {
 
-Instructors instructors() {
+grading::Instructors<Sample> instructors() {
     return {};
 }
 
