@@ -57,7 +57,7 @@ class ShadowMap final : public Technique {
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
         // Of the maps that were made for this frame; the frames after it use them as they are.
         context.did(stage::maps, atlas_.filled(), "texels");
-        context.did(stage::empty_faces, atlas_.bytes(), "bytes");
+        context.did(stage::memory, atlas_.bytes(), "bytes");
         if (params_.unwrap) return unwrap(atlas_, frame.colour.view());
         const Needs needs = needs_of(context.plan());
         const bool filter = params_.pcf && context.plan().needed(stage::filter);
