@@ -125,6 +125,17 @@ TEST(ExactShadows, HoldWithTheLightOnASurfaceInABoxAndAtACorner) {
     }
 }
 
+/// Items of all faces.
+Items items_around(const Scene& scene, const Vec3d& light, int n) {
+    const Content content(scene);
+    Items items{n, {}};
+    for (int face = 0; face < faces_of_cube; ++face) {
+        items.faces[static_cast<std::size_t>(face)] =
+            items_of(scene, content, light, face, n, {0, 0, n, n});
+    }
+    return items;
+}
+
 /// Rays from a light through the corners and edges of triangles, and by them, to points behind.
 std::vector<Ray> awkward_rays(const Scene& scene, const Vec3d& light, Key key) {
     std::vector<Ray> rays;
@@ -158,13 +169,7 @@ TEST(ExactShadows, AnswerRaysThroughCornersAndEdgesAsTheTracerDoes) {
             3.0 * Vec3d(key.uniform(6) - 0.5, key.uniform(7) - 0.5, key.uniform(8) - 0.5));
         const auto accelerator = build_accelerator(scene);
         Tracer tracer(*accelerator);
-        const Content content(scene);
-        constexpr int n = 64;
-        Items items{n, {}};
-        for (int face = 0; face < faces_of_cube; ++face) {
-            items.faces[static_cast<std::size_t>(face)] =
-                items_of(scene, content, light, face, n, {0, 0, n, n});
-        }
+        const Items items = items_around(scene, light, 64);
         for (const Ray& ray : awkward_rays(scene, light, key)) {
             const float share = share_by_items(items, scene, ray, tracer.counts());
             if (share == ShadowSource::unknown) continue;
@@ -177,6 +182,51 @@ TEST(ExactShadows, AnswerRaysThroughCornersAndEdgesAsTheTracerDoes) {
     EXPECT_EQ(wrong, 0u);
     EXPECT_GT(known, 100000u);
     EXPECT_GT(blocked, 20000u);
+}
+
+TEST(ExactShadows, FindATriangleThatRoundingMovesAcrossATexelsBorder) {
+    // A mesh's rays start at a float. This light is nearly half a step before one, and the edge of
+    // the triangle leans over the step, so a ray left of the border through x = light.x meets what
+    // is right of it.
+    const float step = std::nextafter(0.3f, 0.0f);
+    const Vec3d light{0.3f - 0.48 * (0.3f - double(step)), 0, 0};
+    Scene scene = testing::empty_scene();
+    Mesh mesh;
+    mesh.positions = {{step, -1, 2}, {0.3f, 1, 2}, {1, 0, 2}};
+    mesh.triangles = {{{0, 1, 2}, {}, {}}};
+    testing::add_shape(scene, mesh);
+    const auto accelerator = build_accelerator(scene);
+    Tracer tracer(*accelerator);
+    const Items items = items_around(scene, light, 64);
+    int moved = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Ray ray{light, {-1e-13, (i + 0.5) / 2000 - 1, 3}, 0, 1};
+        const bool truth = tracer.occluded(RayKind::shadow, ray);
+        EXPECT_EQ(share_by_items(items, scene, ray, tracer.counts()) == 0, truth) << i;
+        moved += truth ? 1 : 0;
+    }
+    EXPECT_GT(moved, 100);
+}
+
+TEST(ExactShadows, FindATriangleThatIsHardlyOffTheLight) {
+    Scene scene = testing::empty_scene();
+    testing::add_shape(scene, testing::mesh_of({{-1, 0, -1}, {1, 0, -1}, {0, 0, 2}}, {0, 1, 2}));
+    const auto accelerator = build_accelerator(scene);
+    Tracer tracer(*accelerator);
+    for (const double height : {1e-12, 1e-9, 1e-7, 1e-5, 1e-3}) {
+        const Vec3d light{0.1, height, 0.2};
+        const Items items = items_around(scene, light, 32);
+        int blocked = 0;
+        for (std::uint64_t i = 0; i < 2000; ++i) {
+            const Vec3d to = testing::random_point(Key(i), 3);
+            const Ray ray{light, to - light, 0, 1};
+            const float share = share_by_items(items, scene, ray, tracer.counts());
+            const bool truth = tracer.occluded(RayKind::shadow, ray);
+            EXPECT_EQ(share == 0, truth) << height;
+            blocked += truth ? 1 : 0;
+        }
+        EXPECT_GT(blocked, 500) << height;
+    }
 }
 
 TEST(ExactShadows, LeaveSolidsHeightfieldsAndDenseMeshesToRays) {

@@ -4,16 +4,19 @@
 
 namespace luch::techniques::shadow_map {
 
-ShadowPlanes::ShadowPlanes(Frame& frame, bool judge)
-    : share(&frame.plane<float>("light", PlaneKind::scalar, "share")),
-      traced(&frame.plane<std::uint8_t>("traced", PlaneKind::mask)) {
-    std::ranges::fill(share->pixels(), 0.0f);
-    std::ranges::fill(traced->pixels(), std::uint8_t{0});
+ShadowPlanes::ShadowPlanes(Frame& frame, bool draw, bool judge) {
+    const auto cleared = [&]<class T>(const char* name, PlaneKind kind, T nothing) {
+        Image<T>& plane = frame.plane<T>(name, kind, kind == PlaneKind::mask ? "" : "share");
+        std::ranges::fill(plane.pixels(), nothing);
+        return &plane;
+    };
+    if (draw) {
+        share = cleared("light", PlaneKind::scalar, 0.0f);
+        traced = cleared("traced", PlaneKind::mask, std::uint8_t{0});
+    }
     if (!judge) return;
-    false_shadow = &frame.plane<float>("false shadow", PlaneKind::scalar, "share");
-    false_light = &frame.plane<float>("false light", PlaneKind::scalar, "share");
-    std::ranges::fill(false_shadow->pixels(), 0.0f);
-    std::ranges::fill(false_light->pixels(), 0.0f);
+    false_shadow = cleared("false shadow", PlaneKind::scalar, 0.0f);
+    false_light = cleared("false light", PlaneKind::scalar, 0.0f);
 }
 
 void JudgedSource::look_at(const TileRays& rays) {
@@ -24,6 +27,13 @@ void JudgedSource::look_at(const TileRays& rays) {
 void JudgedSource::shares(std::size_t light, std::span<const Surface> points,
                           std::span<const std::uint32_t> which, std::span<float> shares) const {
     source_->shares(light, points, which, shares);
+    if (planes_->share != nullptr) show(which, shares);
+    if (planes_->false_shadow != nullptr && stands_in_one_place(scene_->lights[light])) {
+        judge(light, points, which, shares);
+    }
+}
+
+void JudgedSource::show(std::span<const std::uint32_t> which, std::span<const float> shares) const {
     for (std::size_t i = 0; i < which.size(); ++i) {
         const auto& [x, y] = rays_->pixels[which[i]];
         if (shares[i] == unknown) {
@@ -34,9 +44,6 @@ void JudgedSource::shares(std::size_t light, std::span<const Surface> points,
         float& mean = (*planes_->share)(x, y);
         mean = (mean * static_cast<float>(asked) + shares[i]) / static_cast<float>(asked + 1);
         ++asked;
-    }
-    if (planes_->false_shadow != nullptr && stands_in_one_place(scene_->lights[light])) {
-        judge(light, points, which, shares);
     }
 }
 

@@ -10,12 +10,13 @@ namespace luch::techniques::shadow_map {
 /// What is shown of shadows, beside the frame's colour: the mean share of the lights that are
 /// known, whether any was left to rays, and, where it is judged, what was wrong.
 struct ShadowPlanes {
-    Image<float>* share = nullptr;
+    Image<float>* share = nullptr;  ///< null: not wanted
     Image<std::uint8_t>* traced = nullptr;
     Image<float>* false_shadow = nullptr;  ///< null: not judged
     Image<float>* false_light = nullptr;
 
-    ShadowPlanes(Frame& frame, bool judge);
+    /// `draw` false: the first two are not wanted.
+    ShadowPlanes(Frame& frame, bool draw, bool judge);
 };
 
 /// Asks another source, and writes what it says of a tile's points into the planes. Judges it, too,
@@ -36,6 +37,7 @@ class JudgedSource final : public ShadowSource {
     }
 
  private:
+    void show(std::span<const std::uint32_t> which, std::span<const float> shares) const;
     void judge(std::size_t light, std::span<const Surface> points,
                std::span<const std::uint32_t> which, std::span<const float> shares) const;
 

@@ -189,6 +189,9 @@ Plan plan_of(const Scene& scene, const Shot& shot, const Params& params) {
                            "nothing receives light through them"});
     plan.stages.push_back(filter_stage(scene, shot, params));
     plan.stages.push_back(raster_stage(scene, params));
+    plan.stages.push_back(
+        {std::string(stage::memory), true, Stage::exact,
+         fmt::format("lights whose maps do not fit into {} MB are left to rays", params.memory)});
     return plan;
 }
 

@@ -8,7 +8,7 @@ namespace luch::techniques::shadow_map {
 namespace stage {
 inline constexpr std::string_view maps = "shadow maps", empty_faces = "faces without receivers",
                                   convex = "lone convex thing", filter = "percentage-closer",
-                                  raster = "rasterised maps";
+                                  raster = "rasterised maps", memory = "memory of maps";
 }
 
 /// Texels narrower than this many pixels need no filter.

@@ -57,33 +57,30 @@ class ShadowMap final : public Technique {
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
         // Of the maps that were made for this frame; the frames after it use them as they are.
         context.did(stage::maps, atlas_.filled(), "texels");
-        context.did(stage::empty_faces, atlas_.bytes(), "bytes");
+        context.did(stage::memory, atlas_.bytes(), "bytes");
         if (params_.unwrap) return unwrap(atlas_, frame.colour.view());
         const Needs needs = needs_of(context.plan());
         const bool filter = params_.pcf && context.plan().needed(stage::filter);
         const Steps steps = asked_steps(steps_, filter, context);
-        const ShadowPlanes planes(frame, params_.judge);
-        const auto colour = frame.colour.view();
-        // Calls draw(tracer, known) for a tile.
-        const auto each_tile = [&](auto&& draw) {
-            context.for_each_tile(shot.size, [&](Tile tile, int worker) {
-                Tracer& tracer = context.tracer(worker);
-                const MapSource source(steps, params_, filter, atlas_, scene, context, tracer);
-                JudgedSource judged(source, scene, tracer, planes);
-                draw(tile, tracer, [&](const TileRays& rays) {
-                    judged.look_at(rays);
-                    return KnownLight{.shadows = &judged};
-                });
-            });
-        };
-        each_tile([&](Tile tile, Tracer& tracer, const KnownLightOf& known) {
-            trace_tile(scene, shot, tile, needs, tracer, colour, known);
-        });
-        if (!needs[Part::anti_aliasing] || !may_antialias(shot)) return;
-        const Image<std::uint8_t> edges = edges_of(colour, context);
-        each_tile([&](Tile tile, Tracer& tracer, const KnownLightOf& known) {
-            antialias_tile(scene, shot, tile, edges.view(), needs, tracer, colour, known);
-        });
+        std::vector<MapSource> sources;
+        for (int worker = 0; worker < context.workers(); ++worker) {
+            sources.emplace_back(steps, params_, filter, atlas_, scene, context,
+                                 context.tracer(worker));
+        }
+        const ShadowPlanes planes(frame, context.budget().planes, params_.judge);
+        std::vector<JudgedSource> judged;
+        for (int worker = 0; worker < context.workers(); ++worker) {
+            judged.emplace_back(sources[static_cast<std::size_t>(worker)], scene,
+                                context.tracer(worker), planes);
+        }
+        trace_frame(scene, shot, needs, context, frame.colour.view(),
+                    [&](int worker) -> KnownLightOf {
+                        const auto w = static_cast<std::size_t>(worker);
+                        return [&, w](const TileRays& rays) {
+                            judged[w].look_at(rays);
+                            return KnownLight{.shadows = &judged[w]};
+                        };
+                    });
     }
 
  private:

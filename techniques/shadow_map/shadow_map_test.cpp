@@ -275,6 +275,33 @@ TEST(ShadowMap, MakesAnewOnlyTheFacesThatSeeWhatMoved) {
     EXPECT_EQ(refilled(scene, painted), 0u) << "a colour casts no shadow";
 }
 
+TEST(ShadowMap, IsLessWrongAndTakesFourTimesTheMemoryWithEveryDoublingOfItsSide) {
+    const OwnStudio studio(ball_over_floor());
+    double before = 1e9;
+    std::uint64_t bytes_before = 0;
+    for (int side = 64; side <= 1024; side *= 2) {
+        const auto technique =
+            technique_with({"judge=on", "pcf=off", "fit=off", "side=" + std::to_string(side)});
+        const Outcome outcome = studio.render(*technique);
+        double shadow = 0, light = 0, asked = 0;
+        for (const float f : plane_of<float>(outcome, "false shadow").pixels()) shadow += f;
+        for (const float f : plane_of<float>(outcome, "false light").pixels()) light += f;
+        for (const Rgb& pixel : outcome.frame.colour.pixels()) asked += pixel == Rgb(0) ? 0 : 1;
+        const auto& stages = outcome.plan.stages;
+        const std::uint64_t bytes =
+            std::ranges::find(stages, std::string("memory of maps"), &Stage::name)->work;
+        std::printf("side %4d: false shadow %.2f %%, false light %.2f %%, %.2f MB\n", side,
+                    100 * shadow / asked, 100 * light / asked, static_cast<double>(bytes) * 1e-6);
+        EXPECT_LT(shadow + light, 0.75 * before) << side;
+        if (bytes_before > 0) {
+            EXPECT_NEAR(static_cast<double>(bytes), 4.0 * static_cast<double>(bytes_before),
+                        0.2 * static_cast<double>(bytes));
+        }
+        before = shadow + light;
+        bytes_before = bytes;
+    }
+}
+
 TEST(ShadowMap, KeepsToItsMemory) {
     const OwnStudio studio(ball_over_floor());
     const Outcome outcome = rendered(studio, {"memory=0"}), truth = truth_of(studio);

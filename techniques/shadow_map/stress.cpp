@@ -148,9 +148,13 @@ std::vector<StressCase> stress_cases(const TechniqueInfo& info, bool full) {
     for (const double yaw : {45.0, 135.0, 225.0, 315.0}) {
         look(fmt::format("a lamp's edges and corners, towards {:.0f}°", yaw), no_acne,
              [yaw] { return room(Vec3d(0), yaw, 35); });
-        look(fmt::format("a lamp off the middle, towards {:.0f}°", yaw), no_acne, [yaw] {
-            return room({3.99, -2, 1}, yaw, -35);
-        });
+        // In a texel across a corner of the room the centre may see the nearer wall.
+        look(fmt::format("a lamp off the middle, towards {:.0f}°", yaw), "false shadow ≤ 0.1 %",
+             [yaw] {
+                 Case made = room({3.99, -2, 1}, yaw, -35);
+                 made.acne = 0.001;
+                 return made;
+             });
     }
     look("straight up from the lamp", no_acne, [] { return room({0, -3, 0}, 0, 90); });
     look("straight down from the lamp", no_acne, [] { return room({0, 3, 0}, 0, -90); });

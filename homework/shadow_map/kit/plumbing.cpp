@@ -184,7 +184,7 @@ class ShadowMap final : public Technique {
     void draw(const Scene& scene, const Shot& shot, Frame& frame, Context& context) const {
         const Steps steps = asked_steps(steps_, params_.pcf, context);
         const MapSource source(steps, params_, lights_, context);
-        const ShadowPlanes planes(frame, params_.judge);
+        const ShadowPlanes planes(frame, context.budget().planes, params_.judge);
         std::vector<JudgedSource> judged;
         for (int i = 0; i < context.workers(); ++i) {
             judged.emplace_back(source, scene, context.tracer(i), planes);
