@@ -144,6 +144,8 @@ class ShadowMap final : public Technique {
         visitor.visit({"points", "", "That stand for a light with an area."}, params_.points, 1,
                       1024);
         visitor.visit({"pattern", "", "Where they lie."}, params_.pattern, pattern_words);
+        visitor.visit({"memory", "MB", "Of maps; lights beyond that are left to rays."},
+                      params_.memory, 0, 1 << 16);
         visitor.visit({"judge", "", "Show what is wrong, by a shadow ray for every answer."},
                       params_.judge);
         visitor.visit({"unwrap", "", "Show the first light's map, not the scene."}, params_.unwrap);
@@ -156,15 +158,22 @@ class ShadowMap final : public Technique {
 
     void prepare(const Scene& scene, const Shot& shot, Context& context) override {
         lights_.assign(scene.lights.size(), {});
+        double left = params_.memory * 0x1p20 / sizeof(float);  // texels
         for (std::size_t i = 0; i < lights_.size(); ++i) {
             Lamps& lamps = lights_[i];
             place(scene.lights[i], Key(shot.seed).branch(i), lamps, context);
             // The points of a light with an area share the texels of one map.
             const bool many = std::holds_alternative<RectLight>(scene.lights[i]);
-            const double side = params_.side / std::sqrt(many ? params_.points : 1);
+            const int side = static_cast<int>(params_.side / std::sqrt(many ? params_.points : 1));
+            const int n = std::max(side, 1);
+            const double texels = 6.0 * n * n * static_cast<double>(lamps.points.size());
+            if (texels > left) {  // its shadows are left to rays
+                lamps = {};
+                continue;
+            }
+            left -= texels;
             for (const LightPoint& point : lamps.points) {
-                lamps.maps.push_back(
-                    map_around(point.position, std::max(static_cast<int>(side), 1), context));
+                lamps.maps.push_back(map_around(point.position, n, context));
             }
         }
     }
