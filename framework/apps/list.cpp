@@ -39,7 +39,7 @@ class List final : public Verb {
     int run() override {
         Json all = Json::array();
         for (const TechniqueInfo& info : catalogue()) {
-            fmt::print("{:<18}{:<36}{}\n", info.name, info.title, info.topic);
+            fmt::print("{:<20} {:<42} {}\n", info.name, info.title, info.topic);
             for (const ParamText& param : params_of(*info.create())) {
                 fmt::print("    -p {}={}   {}{} ({})\n", param.name, param.value, param.help,
                            param.unit.empty() ? "" : " [" + param.unit + "]", param.range);

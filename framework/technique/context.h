@@ -85,8 +85,22 @@ class Context {
     std::vector<Stage> work_;
 };
 
+/// False where work that calls a step meets a hole; the task is recorded. Where a step is called
+/// for many single points, one call with nothing to do tells beforehand: a hole that is met takes
+/// longer than the step.
+template <class Work>
+bool written(Context& context, const Work& work) {
+    try {
+        work();
+        return true;
+    } catch (const NotWritten& hole) {
+        context.not_written(hole.task());
+        return false;
+    }
+}
+
 /// Calls a step of a technique's table. Where a homework left a hole, the task is recorded and the
-/// whole call is made again with the reference. Nothing else catches NotWritten.
+/// whole call is made again with the reference. Nothing but this and written() catches NotWritten.
 template <class Step, class... Arguments>
 decltype(auto) call_step(Context& context, Step* step, Step* reference, Arguments&&... arguments) {
     try {

@@ -5,7 +5,7 @@
 
 namespace luch {
 
-/// A hole in a homework was reached. Only call_step() catches it.
+/// A hole in a homework was reached. Only call_step() and written() catch it.
 class NotWritten : public std::logic_error {
  public:
     NotWritten(std::string task, const char* file, int line)

@@ -66,6 +66,18 @@ const Topic ldr{.name = "ldr",
                            "scenes/toys/toys.scene --size 80x60 --spp 2 -p wide=off",
                            "homework/ldr/scenes/flat.scene --size 40x30 --spp 3"}};
 
+const Topic shadow_map{
+    .name = "shadow_map",
+    .tasks = 7,
+    .points = 28,
+    .solution = {"cube.h", "cube.cpp", "steps.cpp"},
+    .changes = {},
+    // The lecture's maps, without what makes them quick or exact.
+    .reference = "-p fit=off -p offset=off -p points=4 -p side=64",
+    .yours = "-p points=4 -p side=64",
+    .scenes = {"homework/shadow_map/scenes/columns.scene",
+               "homework/shadow_map/scenes/stack.scene --size 80x60 -p pcf=off"}};
+
 const Topic vista{
     .name = "vista",
     .tasks = 7,
@@ -162,7 +174,7 @@ class BuiltKit : public ::testing::Test {
 
 class BuiltKitOf : public BuiltKit, public ::testing::WithParamInterface<Topic> {};
 
-INSTANTIATE_TEST_SUITE_P(Homework, BuiltKitOf, ::testing::Values(layered, ldr, vista),
+INSTANTIATE_TEST_SUITE_P(Homework, BuiltKitOf, ::testing::Values(layered, ldr, shadow_map, vista),
                          [](const auto& topic) { return topic.param.name; });
 
 TEST_P(BuiltKitOf, ScoresItsFloor) {

@@ -94,7 +94,9 @@ TEST_F(Kits, OfThisTreeHoldNoSolution) {
           "techniques/layered/steps.cpp", "techniques/layered/confusion.cpp",
           "techniques/ldr/steps.cpp", "techniques/ldr/spans.cpp", "techniques/ldr/swar.h",
           "homework/ldr/mutants/mutants.cpp", "homework/layered/mutants/mutants.cpp",
-          "homework/layered/variants/variants.cpp"}) {
+          "homework/layered/variants/variants.cpp", "techniques/shadow_map/steps.cpp",
+          "techniques/shadow_map/cube.h", "techniques/shadow_map/cube.cpp",
+          "homework/shadow_map/mutants/maps.cpp", "homework/shadow_map/variants/maps.cpp"}) {
         EXPECT_THAT(solutions, Contains(name));
     }
     write_kit(root, kit, folder_);
@@ -125,6 +127,11 @@ TEST_F(Kits, OfThisTreeHoldNoSolution) {
         "techniques/ldr/swar.h from homework/ldr/kit/technique/swar.h",
         "techniques/ldr/word.h",
         "techniques/ldr/word_sample.cpp",
+        "techniques/shadow_map/judged.cpp",
+        "techniques/shadow_map/judged.h",
+        "techniques/shadow_map/shadow_map.h",
+        "techniques/shadow_map/stress.cpp",
+        "techniques/shadow_map/stress.h",
         "techniques/vista/vista.h"};
     std::vector<std::string> techniques = names(kit);
     std::erase_if(techniques,
@@ -145,7 +152,9 @@ TEST_F(Kits, AreSearchedForLinesOfTheSolutions) {
                                      {"techniques/layered/steps.cpp", "double diameter = "},
                                      {"techniques/layered/confusion.cpp", "double radius = "},
                                      {"techniques/ldr/swar.h", "const std::uint32_t out = "},
-                                     {"techniques/ldr/steps.cpp", "const double part = "}}) {
+                                     {"techniques/ldr/steps.cpp", "const double part = "},
+                                     {"techniques/shadow_map/steps.cpp", "const float along = "},
+                                     {"techniques/shadow_map/cube.cpp", "const int over = "}}) {
         std::ifstream in(root / file);
         std::vector<std::string> lines;
         for (std::string line; std::getline(in, line);) lines.push_back(line);

@@ -18,18 +18,6 @@ constexpr std::array<double, 6> segment_counts{4, 8, 16, 32, 64, 128};
 constexpr int bin_side = 64;
 constexpr std::size_t block = 4096;
 
-/// False, and the task is recorded, when the work meets a hole.
-template <class Work>
-bool written(Context& context, const Work& work) {
-    try {
-        work();
-        return true;
-    } catch (const NotWritten& hole) {
-        context.not_written(hole.task());
-        return false;
-    }
-}
-
 /// Read once, when the first frame is prepared.
 struct Files {
     std::vector<Sample> samples;
