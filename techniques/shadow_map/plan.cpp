@@ -137,7 +137,7 @@ Stage raster_stage(const Scene& scene, const Params& params) {
 }
 
 /// Shadow rays in packets are about as quick as a look at a map where they meet no more nodes than
-/// this (measured: 7 to 60 nodes 0.8–1.1 ×, 9,000 nodes 1.3–1.5 × as quick with maps).
+/// this (measured: 13 to 61 nodes 0.6–1.1 ×, 9,000 nodes 1.3–1.5 × as quick with maps).
 constexpr std::size_t few_nodes = 200;
 
 /// Shadow rays are as many as pixels, a light; maps that stand still are made once.
