@@ -98,22 +98,12 @@ void soft_shares(const CubeMap& map, float nearest, double width,
     }
 }
 
-void agreed_shares(const CubeMap& map, std::span<const Receiver> receivers,
-                   std::span<const float> biases, std::span<float> shares) {
+void keep_agreed(std::span<const Receiver> receivers, std::span<const float> biases,
+                 std::span<float> shares) {
     for (std::size_t i = 0; i < receivers.size(); ++i) {
-        const Vec3& p = receivers[i].from_light;
-        const float distance = glm::length(p);
-        Texel at;
-        reference().texel_of({&p, 1}, map.n, {&at, 1});
-        int lit = 0, count = 0;
-        for (int k = 0; k < 9; ++k) {
-            const auto there = folded({at.face, at.x + k % 3 - 1, at.y + k / 3 - 1}, map.n);
-            if (!there) continue;
-            lit += distance <= map.at(*there) + biases[i] ? 1 : 0;
-            ++count;
-        }
-        const bool sure = (lit == 0 || lit == count) && biases[i] <= most_bias * distance;
-        shares[i] = !sure ? ShadowSource::unknown : lit == 0 ? 0.0f : 1.0f;
+        const float distance = glm::length(receivers[i].from_light);
+        const bool agreed = shares[i] == 0 || shares[i] == 1;
+        if (!agreed || biases[i] > most_bias * distance) shares[i] = ShadowSource::unknown;
     }
 }
 

@@ -143,19 +143,20 @@ void MapSource::ask_map(const Lamp& lamp, double width, std::span<const Receiver
         case Mode::msm:
             return shares_by_moments(lamp.map, lamp.moments, Mode(params_->mode) == Mode::msm,
                                      receivers, biases, shares);
-        case Mode::heuristic:
-            return agreed_shares(lamp.map, receivers, biases, shares);
         default:
             break;
     }
-    call_step(*context_, filter_ ? steps_->pcf : steps_->lit,
-              filter_ ? reference().pcf : reference().lit, lamp.map, receivers, biases, shares);
+    const bool heuristic = Mode(params_->mode) == Mode::heuristic, filter = filter_ || heuristic;
+    call_step(*context_, filter ? steps_->pcf : steps_->lit,
+              filter ? reference().pcf : reference().lit, lamp.map, receivers, biases, shares);
+    if (heuristic) keep_agreed(receivers, biases, shares);
 }
 
 void MapSource::ask_items(const Lamp& lamp, const Asked& asked, std::span<float> shares) const {
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const Ray shadow = shadow_ray(asked[i], lamp.point.position);
-        shares[i] = share_by_items(lamp.items, *scene_, shadow, tracer_->counts());
+        shares[i] = share_by_items(lamp.items, *scene_, shadow, tracer_->counts(),
+                                   own_convex(*scene_, asked[i], shadow));
     }
 }
 
