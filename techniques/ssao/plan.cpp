@@ -14,15 +14,18 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-Boxd box_of(const Scene& scene, const Node& node) {
-    return node.to_world.box(bounds_of(scene.geometries[node.geometry]));
+/// The nodes' boxes in the world, those without an end too. A geometry's own is found once.
+std::vector<Boxd> boxes_of(const Scene& scene) {
+    std::vector<Boxd> own, world;
+    for (const Geometry& geometry : scene.geometries) own.push_back(bounds_of(geometry));
+    for (const Node& node : scene.nodes) world.push_back(node.to_world.box(own[node.geometry]));
+    return world;
 }
 
 /// A quarter of what nodes usually measure, those without an end left out.
-double usual_radius(const Scene& scene) {
+double usual_radius(const std::vector<Boxd>& boxes) {
     std::vector<double> sizes;
-    for (const Node& node : scene.nodes) {
-        const Boxd box = box_of(scene, node);
+    for (const Boxd& box : boxes) {
         if (box.empty()) continue;
         const double size = glm::length(box.size());
         if (size > 0 && size < infinite) sizes.push_back(size);
@@ -75,15 +78,14 @@ Stage convex_stage(const Scene& scene, const Shot& shot, const Params& params) {
 }
 
 /// The smallest depth that a node may be seen at; 0 where that is not known.
-double nearest_depth(const Scene& scene, const Screen& screen) {
+double nearest_depth(const std::vector<Boxd>& boxes, const Screen& screen) {
     double nearest = infinite;
-    for (const Node& node : scene.nodes) {
-        const Boxd box = bounds_of(scene.geometries[node.geometry]);
+    for (const Boxd& box : boxes) {
         if (box.empty()) continue;
         for (unsigned i = 0; i < 8; ++i) {
             const Vec3d corner{i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y,
                                i & 4 ? box.hi.z : box.lo.z};
-            const double z = screen.to_view(node.to_world.point(corner)).z;
+            const double z = screen.to_view(corner).z;
             nearest = std::min(nearest, std::isfinite(z) ? std::max(z, 0.0) : 0.0);
         }
     }
@@ -93,7 +95,7 @@ double nearest_depth(const Scene& scene, const Screen& screen) {
 Stage small_stage(const Scene& scene, const Shot& shot, const Params& params) {
     const std::string name(stage::small);
     const Screen screen(shot.camera, shot.size);
-    const double nearest = nearest_depth(scene, screen);
+    const double nearest = nearest_depth(boxes_of(scene), screen);
     const float px = Scale(screen).px(static_cast<float>(params.radius), float(nearest));
     constexpr float least_px = 1;
     if (px < least_px) {
@@ -113,7 +115,7 @@ Params settled(const Params& params, const Scene& scene) {
         switch (Mode(params.mode)) {
             case Mode::bitmask:
             case Mode::gtao:
-                full.samples = 3 * samples_a_slice;
+                full.samples = samples_a_slice;
                 break;
             case Mode::classic:
                 full.samples = 32;
@@ -123,7 +125,7 @@ Params settled(const Params& params, const Scene& scene) {
                 break;
         }
     }
-    if (!(full.radius > 0)) full.radius = usual_radius(scene);
+    if (!(full.radius > 0)) full.radius = usual_radius(boxes_of(scene));
     return full;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "framework/baseline/tile_rays.h"
-#include "framework/trace/surface.h"
 #include "framework/trace/known_light.h"
+#include "framework/trace/surface.h"
 #include "techniques/ssao/ssao.h"
 
 namespace luch::techniques::ssao {

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace luch::techniques::ssao {
 namespace {
@@ -34,14 +35,14 @@ float angle_of(float y, float x) {
 class Slice {
  public:
     Slice(const Vec3& to_eye, const Vec3& normal, const Vec3& across) : normal_(normal) {
-        const Vec3 along = glm::normalize(across - glm::dot(across, to_eye) * to_eye);
-        const float sine = glm::dot(normal, along), cosine = glm::dot(normal, to_eye);
+        along_ = glm::normalize(across - glm::dot(across, to_eye) * to_eye);
+        const float sine = glm::dot(normal, along_), cosine = glm::dot(normal, to_eye);
         length_ = std::sqrt(sine * sine + cosine * cosine);
         if (!(length_ > 0)) return;
         sin_turn_ = sine / length_;
         cos_turn_ = cosine / length_;
         turn_ = angle_of(sine, cosine);
-        tangent_ = cos_turn_ * along - sin_turn_ * to_eye;
+        tangent_ = cos_turn_ * along_ - sin_turn_ * to_eye;
         whole_ = cos_turn_ + turn_ * sin_turn_;
     }
 
@@ -55,7 +56,7 @@ class Slice {
     /// slice, so that no plane closes itself.
     [[nodiscard]] float before(const Vec3& way) const {
         const float a = glm::dot(way, tangent_), h = glm::dot(way, normal_) / length_;
-        if (h <= 0) return a < 0 ? 0 : 1;
+        if (h <= 0) return glm::dot(way, along_) < 0 ? 0 : 1;
         const float theta = turn_ + angle_of(a, h);
         const float squared = 1 / (a * a + h * h);
         const float cos_twice = (h * h - a * a) * squared, sin_twice = 2 * a * h * squared;
@@ -67,18 +68,20 @@ class Slice {
     }
 
  private:
-    Vec3 normal_, tangent_{0};
+    Vec3 normal_, along_, tangent_{0};
     float length_ = 0, turn_ = 0, sin_turn_ = 0, cos_turn_ = 1, whole_ = 1;
 };
 
 /// Sectors of equal weight; bit i stands for the place i + phase of 0..32.
 std::uint32_t sectors_between(float from, float to, float phase) {
-    const int first = static_cast<int>(std::ceil(from * sectors - phase));
-    const int last = static_cast<int>(std::ceil(to * sectors - phase));
-    const auto up_to = [](int i) {
-        return i >= sectors ? ~std::uint32_t{0} : (std::uint32_t{1} << std::max(i, 0)) - 1;
+    // All bits whose places lie before a share of the weight.
+    const auto before = [&](float share) {
+        const float place = share * sectors - phase;
+        const int whole = static_cast<int>(place);
+        const int bits = whole + (static_cast<float>(whole) < place ? 1 : 0);
+        return bits >= sectors ? ~std::uint32_t{0} : (std::uint32_t{1} << std::max(bits, 0)) - 1;
     };
-    return up_to(last) & ~up_to(first);
+    return before(to) & ~before(from);
 }
 
 /// What is published for the fading of far occluders (XeGTAO, after Jiménez et al.).
@@ -87,107 +90,135 @@ struct Fade {
 };
 constexpr Fade published{1.457f, 0.615f}, none{1, 0};
 
-/// What one pixel's slices have in common.
+/// A pixel whose hemisphere is looked at.
+struct Point {
+    float x, y;  ///< its centre, in pixels
+    Vec3 position, to_eye, normal;
+};
+
+/// How much of a way from a pixel's centre stays in the frame: 0..1.
+float inside(Size frame, const Point& point, const Vec2& way_px) {
+    const auto along = [](float at, float way, int end) {
+        return way > 0 ? (static_cast<float>(end) - at) / way : way < 0 ? -at / way : 1.0f;
+    };
+    return std::min(
+        {1.0f, along(point.x, way_px.x, frame.width), along(point.y, way_px.y, frame.height)});
+}
+
+/// What all pixels have in common.
 struct Gather {
     const GBuffer& seen;
-    const Scale scale;
-    const float radius, thickness;
-    const Fade fade;
-    const bool bits;
+    float radius, thickness;
+    Fade fade;
+    bool bits;
+    int steps;  ///< to either side
 
-    /// The share of a slice that is closed. `step`: the screen's way of the radius, in pixels.
-    float closed(const Slice& slice, int x, int y, const Vec2& step, float jitter,
-                 float phase) const;
     [[nodiscard]] float faded(float distance) const {
         if (fade.share <= 0) return 1;
         return std::clamp((radius - distance) / (fade.share * radius), 0.0f, 1.0f);
     }
-};
 
-/// How much of a step from a pixel's centre stays in the frame: 0..1.
-float inside(Size frame, int x, int y, const Vec2& step) {
-    const auto along = [](float at, float way, float end) {
-        return way > 0 ? (end - at) / way : way < 0 ? -at / way : 1.0f;
-    };
-    const float across = along(static_cast<float>(x) + 0.5f, step.x, float(frame.width));
-    const float down = along(static_cast<float>(y) + 0.5f, step.y, float(frame.height));
-    return std::min({1.0f, across, down});
-}
-
-float Gather::closed(const Slice& slice, int x, int y, const Vec2& step, float jitter,
-                     float phase) const {
-    constexpr int steps = samples_a_slice / 2;
-    const Vec3 here = seen.position(x, y);
-    const Vec3 normal = towards(-glm::normalize(here), seen.normal(x, y));
-    std::uint32_t mask = 0;
-    float low = 0, high = 0;  // closed from either tangent: gtao
-    for (const float side : {1.0f, -1.0f}) {
-        const Vec2 way_px = side * inside(seen.position.size(), x, y, side * step) * step;
-        const float length_px = std::max(std::abs(way_px.x), std::abs(way_px.y));
+    /// Calls closes(way) for what is seen along a way on the screen and may close something.
+    template <class Closes>
+    void walk(const Point& point, const Vec2& way_px, float jitter, Closes&& closes) const {
+        const Size frame = seen.position.size();
+        const Vec2 way = inside(frame, point, way_px) * way_px;
+        const float least = 1 / std::max(std::abs(way.x), std::abs(way.y));  // not the pixel itself
         for (int i = 0; i < steps; ++i) {
-            const float even = (static_cast<float>(i) + jitter) / steps;
-            const float share = std::max(even * even, 1 / length_px);
-            const int u =
-                static_cast<int>(std::floor(static_cast<float>(x) + 0.5f + share * way_px.x));
-            const int v =
-                static_cast<int>(std::floor(static_cast<float>(y) + 0.5f + share * way_px.y));
-            if (u < 0 || v < 0 || u >= seen.position.width() || v >= seen.position.height())
-                continue;
-            const Vec3 there = seen.position(u, v);
-            if (!is_seen(there)) continue;
-            const Vec3 way = there - here;
-            const float squared = glm::dot(way, way), height = glm::dot(way, normal);
-            if (squared > radius * radius || !stands_out(height, squared, here.z)) continue;
-            const float front = slice.before(way);
-            if (bits) {
-                const float back = slice.before(way + (thickness / glm::length(there)) * there);
-                mask |= sectors_between(std::min(front, back), std::max(front, back), phase);
-            } else {
-                const float weight = faded(std::sqrt(squared));
-                float& side_closed = side > 0 ? high : low;
-                side_closed = std::max(side_closed, weight * (side > 0 ? 1 - front : front));
-            }
+            const float even = (static_cast<float>(i) + jitter) / static_cast<float>(steps);
+            const float share = std::max(even, least);
+            const float u = point.x + share * way.x, v = point.y + share * way.y;
+            if (!(u >= 0 && v >= 0 && u < float(frame.width) && v < float(frame.height))) continue;
+            const Vec3 to =
+                seen.position(static_cast<int>(u), static_cast<int>(v)) - point.position;
+            const float squared = glm::dot(to, to);
+            if (!(squared <= radius * radius)) continue;
+            if (stands_out(glm::dot(to, point.normal), squared, point.position.z)) closes(to);
         }
     }
-    return bits ? static_cast<float>(std::popcount(mask)) / sectors : std::min(low + high, 1.0f);
+
+    /// The share of a slice that is closed.
+    [[nodiscard]] float closed(const Slice& slice, const Point& point, const Vec2& way_px,
+                               float jitter, float phase) const {
+        if (!bits) {
+            float low = 0, high = 0;  // from either tangent to the horizon
+            walk(point, way_px, jitter, [&](const Vec3& to) {
+                high = std::max(high, faded(glm::length(to)) * (1 - slice.before(to)));
+            });
+            walk(point, -way_px, jitter, [&](const Vec3& to) {
+                low = std::max(low, faded(glm::length(to)) * slice.before(to));
+            });
+            return std::min(low + high, 1.0f);
+        }
+        std::uint32_t mask = 0;
+        const auto closes = [&](const Vec3& to) {
+            const Vec3 there = point.position + to;
+            const float front = slice.before(to);
+            const float back = slice.before(to + thickness / glm::length(there) * there);
+            mask |= sectors_between(std::min(front, back), std::max(front, back), phase);
+        };
+        walk(point, way_px, jitter, closes);
+        walk(point, -way_px, jitter, closes);
+        return static_cast<float>(std::popcount(mask)) / sectors;
+    }
+};
+
+/// The slices of one of the 16 turns: where they lie, and where their samples and sectors begin.
+struct Turn {
+    Vec3 across;
+    float jitter, phase;
+};
+
+std::vector<Turn> turns_of(int count, Key key) {
+    const double shift = key.uniform(0), other = key.uniform(1);
+    std::vector<Turn> turns;
+    for (int turn = 0; turn < 16; ++turn) {
+        for (int i = 0; i < count; ++i) {
+            const double place = i + (turn + shift) / 16;
+            const double angle = std::numbers::pi * place / count;
+            const double jitter = glm::fract((turn * 5 + i * 7) % 16 / 16.0 + other);
+            // Apart from 0 and 1, so that rounding at a tangent closes nothing.
+            const double phase = 0.02 + 0.96 * glm::fract(7 * jitter + 0.618034 * place);
+            turns.push_back(
+                {Vec3(std::cos(angle), std::sin(angle), 0), float(jitter), float(phase)});
+        }
+    }
+    return turns;
 }
 
 }  // namespace
 
 void slices(const GBuffer& seen, const Screen& screen, const Params& params, Key key, Tile tile,
             ImageView<float> occluded) {
-    const Fade fade = params.fade ? published : none;
-    const Gather gather{seen,
-                        Scale(screen),
-                        static_cast<float>(params.radius) * fade.reach,
-                        static_cast<float>(params.thickness * params.radius),
-                        fade,
-                        Mode(params.mode) != Mode::gtao};
+    const Scale scale(screen);
+    const Fade fade = params.fade && Mode(params.mode) == Mode::gtao ? published : none;
+    const Gather gather{.seen = seen,
+                        .radius = static_cast<float>(params.radius) * fade.reach,
+                        .thickness = static_cast<float>(params.thickness * params.radius),
+                        .fade = fade,
+                        .bits = Mode(params.mode) != Mode::gtao,
+                        .steps = std::clamp(params.samples, 2, samples_a_slice) / 2};
     const int count = std::max(1, params.samples / samples_a_slice);
-    const auto shift = static_cast<float>(key.uniform(0)),
-               other = static_cast<float>(key.uniform(1));
+    const std::vector<Turn> turns = turns_of(count, key);
     each_pixel(tile, [&](int x, int y) {
         occluded(x, y) = 0;
-        const Vec3 here = seen.position(x, y);
-        if (!is_seen(here) || !(gather.scale.px(gather.radius, here.z) >= 1)) return;
-        const Vec3 to_eye = -glm::normalize(here);
-        const Vec3 normal = towards(to_eye, seen.normal(x, y));
-        if (normal == Vec3(0)) return;
-        const int turn = turn_of(x, y);
+        Point point{static_cast<float>(x) + 0.5f,
+                    static_cast<float>(y) + 0.5f,
+                    seen.position(x, y),
+                    {},
+                    {}};
+        if (!is_seen(point.position) || !(scale.px(gather.radius, point.position.z) >= 1)) return;
+        point.to_eye = -glm::normalize(point.position);
+        point.normal = towards(point.to_eye, seen.normal(x, y));
+        if (point.normal == Vec3(0)) return;
         float closed = 0, whole = 0;
         for (int i = 0; i < count; ++i) {
-            const float place = static_cast<float>(i) + (static_cast<float>(turn) + shift) / 16;
-            const float angle = pi * place / static_cast<float>(count);
-            const Vec3 across(std::cos(angle), std::sin(angle), 0);
-            const Slice slice(to_eye, normal, across);
+            const Turn& turn = turns[static_cast<std::size_t>(turn_of(x, y) * count + i)];
+            const Slice slice(point.to_eye, point.normal, turn.across);
             if (!(slice.weight() > 0)) continue;
-            const Vec2 step = gather.radius / here.z *
-                              Vec2(across.x * gather.scale.x, -across.y * gather.scale.y);
-            // Golden ratios lead a slice's samples, and its sectors, on from those of the last.
-            const float jitter =
-                glm::fract(static_cast<float>((turn * 5 + i * 7) % 16) / 16 + other);
-            const float phase = 0.02f + 0.96f * glm::fract(jitter * 7 + 0.618034f * place);
-            closed += slice.weight() * gather.closed(slice, x, y, step, jitter, phase);
+            const Vec2 way_px = gather.radius / point.position.z *
+                                Vec2(turn.across.x * scale.x, -turn.across.y * scale.y);
+            closed += slice.weight() * gather.closed(slice, point, way_px, turn.jitter, turn.phase);
             whole += slice.weight();
         }
         if (whole > 0) occluded(x, y) = closed / whole;

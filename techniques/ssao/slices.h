@@ -4,8 +4,9 @@
 
 namespace luch::techniques::ssao {
 
-/// Samples that a slice takes, half of them to either side.
-inline constexpr int samples_a_slice = 6;
+/// Samples that a slice takes, half of them to either side: with fewer, one slice takes fewer; with
+/// more, there are more slices.
+inline constexpr int samples_a_slice = 18;
 
 /// The share of the hemisphere, weighted with the cosine, that is closed by what the picture shows
 /// within the radius: modes bitmask and gtao of `params`. As for Steps::occlusion: 0 where nothing

@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 4> mode_words{"bitmask", "gtao", "classic
 constexpr std::array<std::string_view, 3> smoothing_words{"edges", "gaussian", "off"};
 constexpr std::array<std::string_view, 2> normal_words{"surface", "picture"};
 constexpr std::array<std::string_view, 2> show_words{"picture", "visibility"};
-constexpr std::array<double, 6> sample_counts{6, 12, 24, 48, 96, 192};
+constexpr std::array<double, 6> sample_counts{4, 8, 18, 36, 72, 144};
 
 /// The frame's colours, of how much of the ambient light arrives.
 void show_visibility(const Image<float>& visibility, Image<Rgb>& colour) {
@@ -37,7 +37,7 @@ class Ssao : public Technique {
         visitor.visit({"samples", "", "A pixel; 0: 18, classic 32, rays 256."}, params_.samples, 0,
                       65536);
         visitor.visit({"radius", "units", "What is farther hides nothing; 0: by the scene."},
-                      params_.radius, 0, 1e30);
+                      params_.radius, 0, 1e15);
         visitor.visit({"thickness", "radii", "Of what is seen (bitmask)."}, params_.thickness, 0,
                       1e6);
         visitor.visit({"fade", "", "What is far hides less, as published (gtao)."}, params_.fade);
@@ -55,10 +55,13 @@ class Ssao : public Technique {
         return plan_of(scene, shot, params_);
     }
 
+    void prepare(const Scene& scene, const Shot&, Context&) override {
+        settled_ = settled(params_, scene);
+    }
+
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
-        const Params params = settled(params_, scene);
         const Plan& plan = context.plan();
-        const bool rays = Mode(params.mode) == Mode::rays;
+        const bool rays = Mode(settled_.mode) == Mode::rays;
         const bool occluded = plan.needed(stage::occlusion) && plan.needed(stage::convex) &&
                               (rays || plan.needed(stage::small));
         auto& visibility = frame.plane<float>("visibility", PlaneKind::scalar, "share");
@@ -73,7 +76,7 @@ class Ssao : public Technique {
  private:
     void render_rays(const Scene& scene, const Shot& shot, bool occluded, Frame& frame,
                      Context& context) const {
-        const Params params = settled(params_, scene);
+        const Params& params = settled_;
         auto& visibility = frame.plane<float>("visibility", PlaneKind::scalar, "share");
         if (Show(params.show) == Show::visibility) {
             if (occluded) trace_visibility(scene, shot, params, context, visibility);
@@ -108,7 +111,7 @@ class Ssao : public Technique {
 
     void render_passes(const Scene& scene, const Shot& shot, bool occluded, Frame& frame,
                        Context& context) {
-        const Params params = settled(params_, scene);
+        const Params& params = settled_;
         passes_.look(scene, shot, params, needs_of(context.plan()), context);
         if (occluded) {
             passes_.occlude(shot, params, context);
@@ -190,7 +193,8 @@ class Ssao : public Technique {
                    [&](int x, int y) { plane(x, y) = pass(x / step, y / step); });
     }
 
-    Params params_;
+    Params params_;   ///< as the user set them
+    Params settled_;  ///< of the scene that was prepared
     Passes passes_;
 };
 

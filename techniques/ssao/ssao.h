@@ -49,15 +49,15 @@ enum class Show { picture, visibility };
 
 /// What a user may set.
 struct Params {
-    int mode = 0;          ///< an index: Mode
-    int samples = 0;       ///< a pixel; 0: 18 (bitmask, gtao), 32 (classic), 256 (rays)
-    double radius = 0;     ///< world units; what is farther does not occlude; 0: by the scene
-    double thickness = 1;  ///< bitmask: of what is seen, along the view ray, in radii
-    bool fade = false;     ///< gtao: what is far occludes less, as published
-    bool half = false;     ///< half of the frame's resolution, then upsampled
-    int smoothing = 0;     ///< an index: Smoothing
-    int normals = 0;       ///< an index: Normals: of the surfaces, or found in the picture
-    int show = 0;          ///< an index: Show
+    int mode = 0;            ///< an index: Mode
+    int samples = 0;         ///< a pixel; 0: 18 (bitmask, gtao), 32 (classic), 256 (rays)
+    double radius = 0;       ///< world units; what is farther does not occlude; 0: by the scene
+    double thickness = 0.7;  ///< bitmask: of what is seen, along the view ray, in radii
+    bool fade = false;       ///< gtao: what is far occludes less, as published
+    bool half = false;       ///< half of the frame's resolution, then upsampled
+    int smoothing = 0;       ///< an index: Smoothing
+    int normals = 0;         ///< an index: Normals: of the surfaces, or found in the picture
+    int show = 0;            ///< an index: Show
 };
 
 /// The lecture's steps; a homework replaces one after the other. A step reads what it likes and
