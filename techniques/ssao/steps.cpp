@@ -101,7 +101,7 @@ void occlusion(const GBuffer& seen, const Screen& screen, std::span<const Vec3> 
                const Params& params, Key key, Tile tile, ImageView<float> occluded) {
     const Scale scale(screen);
     const auto radius = static_cast<float>(params.radius);
-    const auto shift = static_cast<float>(key.uniform(0));
+    const auto shift = static_cast<float>(16 * key.uniform(0));
     each_pixel(tile, [&](int x, int y) {
         occluded(x, y) = 0;
         const Vec3 here = seen.position(x, y);

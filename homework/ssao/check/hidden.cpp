@@ -116,19 +116,74 @@ Finding far_in_front(const Steps& steps, const Sample& sample) {
                    "a halo around what is far in front");
 }
 
-/// What would be found by going round to the other side of the frame, or on along its border.
+/// A wall whose left and right rims are nearer; seen from its middle, points are off the frame, or
+/// on their way there. Who goes round to the other side finds a rim.
 Finding beyond_the_frame(const Steps& steps, const Sample& sample) {
-    // A side wall at the left only.
-    const Made made({facing(12), {{1, 0, 0}, -6.5}});
-    const Image<float> out = of_made(steps, made, sample, 4);
-    Image<std::uint8_t> wrong(out.size());
-    for (int y = 0; y < out.height(); ++y) {
-        for (int x = 3 * out.width() / 4; x < out.width(); ++x) wrong(x, y) = out(x, y) != 0;
+    Made made({facing(12)});
+    for (int y = 0; y < 36; ++y) {
+        for (int x = 0; x < 48; ++x) {
+            if (x < 7 || x >= 41) made.position(x, y) *= 11.5f / 12;
+        }
     }
-    Finding finding = unless_marked(wrong, "the wall on the other side of the frame hides points",
-                                    out, Image<float>(out.size(), 0));
-    if (!finding.passed) return finding;
+    const double width = 48.0 * (made.position(24, 18).x - made.position(23, 18).x);
+    const std::array points{Vec3(0.8f, 0, 0.04f)};
+    double mean = 0;
+    for (std::uint64_t key = 0; key < keys; ++key) {
+        const Image<float> out =
+            occlusion(steps, made.seen(), made.screen, points, 0.75 * width, Key(key));
+        for (int k = 0; k < 16; ++k) mean += out(22 + k % 4, 16 + k / 4) / (16 * keys);
+    }
+    if (!(mean < 0.2)) {
+        Finding finding = grading::failure("what is on the other side of the frame hides points",
+                                           fmt::format("expected about 0.05, got {:.3f}", mean));
+        finding.signature = {static_cast<std::uint32_t>(std::lround(10 * mean))};
+        return finding;
+    }
     return between(of_made(steps, made, sample, 1e9), 0, 1, "a huge radius: not in 0..1");
+}
+
+/// Points off the frame neither hide nor count. A board at the right; of two points that lie
+/// opposite each other, one falls off the frame when the other one is behind the board.
+Finding off_the_frame(const Steps& steps, const Sample&) {
+    const Made wall({facing(12)});
+    const double px = wall.position(1, 18).x - wall.position(0, 18).x;
+    const Made made({facing(12), facing(11.5, (wall.position(4, 18).x - px / 2) * 11.5 / 12)});
+    const std::array points{Vec3(0.8f, 0, 0.04f), Vec3(-0.8f, 0, 0.04f)};
+    double mean = 0;
+    for (std::uint64_t key = 0; key < keys; ++key) {
+        const Image<float> out =
+            occlusion(steps, made.seen(), made.screen, points, 6 * px, Key(key));
+        for (int y = 10; y < 26; ++y) mean += out(1, y) / (16 * keys);
+    }
+    // Within some 50° of level all that counts is hidden.
+    if (mean > 0.4 && mean < 0.72) return {};
+    Finding finding = grading::failure("points off the frame are counted",
+                                       fmt::format("expected about 0.56, got {:.3f}", mean));
+    finding.signature = {static_cast<std::uint32_t>(std::lround(10 * mean))};
+    return finding;
+}
+
+/// A corner is as dark on both sides.
+Finding symmetric(const Steps& steps, const Sample& sample) {
+    for (const double degrees : {0.0, 90.0}) {
+        const Made made(corner(degrees));
+        double first = 0, second = 0;
+        for (std::uint64_t key = 0; key < keys; ++key) {
+            const Image<float> out =
+                occlusion(steps, made.seen(), made.screen, sample.kernel, 3, Key(key));
+            for (int y = 8; y < 28; ++y) {
+                for (int x = 14; x < 34; ++x) {
+                    const bool one = degrees == 0 ? x < 24 : y < 18;
+                    (one ? first : second) += out(x, y);
+                }
+            }
+        }
+        if (first > 0.9 * second && second > 0.9 * first && first > 0) continue;
+        return grading::failure(
+            "the two walls of a corner are not as dark as each other",
+            fmt::format("{:.1f} and {:.1f} pixels are hidden", first / keys, second / keys));
+    }
+    return {};
 }
 
 Finding nothing_to_see(const Steps& steps, const Sample& sample) {
@@ -142,8 +197,8 @@ Finding nothing_to_see(const Steps& steps, const Sample& sample) {
          between(of_made(steps, away, sample, 2), 0, 1, "normals face away: not in 0..1")});
 }
 
-/// The 16 turns of a block even out: means of blocks vary less than a single pixel's mean of 16
-/// keys would with one turn for all.
+/// The 16 turns of a block even out: its mean varies from key to key by 1/16 of a pixel's variance,
+/// if they have nothing to do with one another, or less.
 Finding turns(const Steps& steps, const Sample& sample) {
     const Size size = sample.depth.size();
     std::vector<Image<float>> all;
@@ -167,7 +222,7 @@ Finding turns(const Steps& steps, const Sample& sample) {
         }
     }
     if (of_blocks <= 0) return grading::failure("another key takes no other turns");
-    if (of_blocks < 0.25 * of_pixels) return {};
+    if (of_blocks < 0.125 * of_pixels) return {};
     return grading::failure("the pixels of 4 × 4 take the same turn",
                             fmt::format("a block's mean varies by {:.2f} of a pixel's variance",
                                         of_blocks / of_pixels));
@@ -182,6 +237,8 @@ grading::Task occlusion_task(const Samples& samples) {
              {"ssao.t4.tilted_planes", 1, cases_of(samples, tilted_planes)},
              {"ssao.t4.far_in_front", 1, cases_of(samples, far_in_front)},
              {"ssao.t4.beyond_the_frame", 1, cases_of(samples, beyond_the_frame)},
+             {"ssao.t4.off_the_frame", 1, cases_of(samples, off_the_frame)},
+             {"ssao.t4.symmetric", 1, cases_of(samples, symmetric)},
              {"ssao.t4.nothing_to_see", 1, cases_of(samples, nothing_to_see)},
              {"ssao.t4.turns", 1, cases_of(samples, turns)}}};
 }
