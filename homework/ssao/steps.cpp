@@ -6,6 +6,7 @@
 #include "framework/technique/todo.h"
 #include "techniques/ssao/ssao.h"
 #include "techniques/ssao/stress.h"
+#include "techniques/ssao/view.h"
 
 namespace luch::homework::ssao {
 namespace {

@@ -47,11 +47,11 @@ struct Scale {
     return std::max(0.0f, 1 - off / tolerance);
 }
 
-/// Calls work(x, y) for the pixels of a tile.
-template <class Work>
-void each_pixel(Tile tile, Work&& work) {
-    for (int y = tile.y0; y < tile.y1; ++y) {
-        for (int x = tile.x0; x < tile.x1; ++x) work(x, y);
+/// Calls at(x, y) for the pixels of a tile.
+template <class At>
+void each_pixel(Tile tile, At&& at) {
+    for (int row = tile.y0; row < tile.y1; ++row) {
+        for (int column = tile.x0; column < tile.x1; ++column) at(column, row);
     }
 }
 

@@ -26,9 +26,13 @@ Image<Rgb> picture(const std::filesystem::path& file, const Params& params) {
         .frame.colour;
 }
 
+/// Larger than usual, so that small pictures show it.
+constexpr double shown_radius = 1.5;
+
 std::vector<grading::NamedPicture> pictures(const std::filesystem::path& root) {
     const auto clay = root / "scenes/clay/clay.scene";
     const Params classic{.mode = static_cast<int>(Mode::classic),
+                         .radius = shown_radius,
                          .normals = static_cast<int>(Normals::picture)};
     Params raw = classic;
     raw.show = static_cast<int>(Show::visibility);
@@ -38,7 +42,7 @@ std::vector<grading::NamedPicture> pictures(const std::filesystem::path& root) {
     return {{"raw", picture(clay, raw)},
             {"blurred", picture(clay, soft)},
             {"lit", picture(clay, classic)},
-            {"best", picture(clay, {})}};
+            {"best", picture(clay, {.radius = shown_radius})}};
 }
 
 }  // namespace
