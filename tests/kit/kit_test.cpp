@@ -94,7 +94,8 @@ TEST_F(Kits, OfThisTreeHoldNoSolution) {
           "techniques/layered/steps.cpp", "techniques/layered/confusion.cpp",
           "techniques/ldr/steps.cpp", "techniques/ldr/spans.cpp", "techniques/ldr/swar.h",
           "homework/ldr/mutants/mutants.cpp", "homework/layered/mutants/mutants.cpp",
-          "homework/layered/variants/variants.cpp"}) {
+          "homework/layered/variants/variants.cpp", "techniques/ssao/steps.cpp",
+          "homework/ssao/mutants/occlusion.cpp", "homework/ssao/variants/variants.cpp"}) {
         EXPECT_THAT(solutions, Contains(name));
     }
     write_kit(root, kit, folder_);
@@ -125,6 +126,22 @@ TEST_F(Kits, OfThisTreeHoldNoSolution) {
         "techniques/ldr/swar.h from homework/ldr/kit/technique/swar.h",
         "techniques/ldr/word.h",
         "techniques/ldr/word_sample.cpp",
+        "techniques/ssao/ambient.cpp",
+        "techniques/ssao/ambient.h",
+        "techniques/ssao/passes.cpp",
+        "techniques/ssao/passes.h",
+        "techniques/ssao/plan.cpp",
+        "techniques/ssao/plan.h",
+        "techniques/ssao/rays.cpp",
+        "techniques/ssao/rays.h",
+        "techniques/ssao/render.cpp",
+        "techniques/ssao/render.h",
+        "techniques/ssao/slices.cpp",
+        "techniques/ssao/slices.h",
+        "techniques/ssao/ssao.h",
+        "techniques/ssao/stress.cpp",
+        "techniques/ssao/stress.h",
+        "techniques/ssao/view.h",
         "techniques/vista/vista.h"};
     std::vector<std::string> techniques = names(kit);
     std::erase_if(techniques,
@@ -144,6 +161,7 @@ TEST_F(Kits, AreSearchedForLinesOfTheSolutions) {
     for (const auto& [file, word] : {std::pair("techniques/vista/steps.cpp", "double s = "),
                                      {"techniques/layered/steps.cpp", "double diameter = "},
                                      {"techniques/layered/confusion.cpp", "double radius = "},
+                                     {"techniques/ssao/steps.cpp", "double height = "},
                                      {"techniques/ldr/swar.h", "const std::uint32_t out = "},
                                      {"techniques/ldr/steps.cpp", "const double part = "}}) {
         std::ifstream in(root / file);
