@@ -43,7 +43,7 @@ float tolerance_of(const Params& params) {
     if (Smoothing(params.smoothing) == Smoothing::gaussian) {
         return std::numeric_limits<float>::infinity();
     }
-    constexpr double share = 0.03;
+    constexpr double share = 0.06;
     return static_cast<float>(share * params.radius);
 }
 
