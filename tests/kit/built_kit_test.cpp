@@ -78,6 +78,17 @@ const Topic shadow_map{
     .scenes = {"homework/shadow_map/scenes/columns.scene",
                "homework/shadow_map/scenes/stack.scene --size 80x60 -p pcf=off"}};
 
+const Topic ssao{
+    .name = "ssao",
+    .tasks = 7,
+    .points = 32,
+    .solution = {"steps.cpp"},
+    .changes = {},
+    .reference = "-p mode=classic -p normals=picture",
+    .yours = "",
+    .scenes = {"homework/ssao/scenes/balls.scene", "scenes/clay/clay.scene --size 80x60",
+               "scenes/toys/toys.scene --size 80x60 -p half=on"}};
+
 const Topic vista{
     .name = "vista",
     .tasks = 7,
@@ -174,7 +185,8 @@ class BuiltKit : public ::testing::Test {
 
 class BuiltKitOf : public BuiltKit, public ::testing::WithParamInterface<Topic> {};
 
-INSTANTIATE_TEST_SUITE_P(Homework, BuiltKitOf, ::testing::Values(layered, ldr, shadow_map, vista),
+INSTANTIATE_TEST_SUITE_P(Homework, BuiltKitOf,
+                         ::testing::Values(layered, ldr, shadow_map, ssao, vista),
                          [](const auto& topic) { return topic.param.name; });
 
 TEST_P(BuiltKitOf, ScoresItsFloor) {
@@ -279,6 +291,20 @@ TEST_F(BuiltKit, PutsStoredCutsAndCirclesInThePlaceOfStepsThatAreNotWritten) {
                 HasSubstr("layered.t2 is still to be written"));
     // Elsewhere nobody knows.
     expect_hatched(picture("build/release/luch", "homework/layered", sky_scene()));
+}
+
+TEST_F(BuiltKit, PutsStoredSurfacesInThePlaceOfStepsThatAreNotWritten) {
+    const std::string crates = "homework/ssao/scenes/crates.scene", own = "homework/ssao";
+    write_steps(ssao, solution(ssao));
+    const Image<Rgb> whole = picture("build/release/luch", own, crates);
+    write_steps(ssao,
+                without(without(solution(ssao), "positions", "ssao.t1"), "normals", "ssao.t2"));
+    EXPECT_EQ(picture("build/release/luch", own, crates), whole);
+    // Elsewhere nobody knows.
+    write_text(kit / "out/grey.scene",
+               "GlobalSettings {\n frameWidth 32\n frameHeight 24\n"
+               " backgroundColor (0.75, 0.75, 0.75)\n}\nCamera eye {\n pos (0, 0, 0)\n}\n");
+    expect_hatched(picture("build/release/luch", own, "out/grey.scene"));
 }
 
 TEST_F(BuiltKit, HatchesWordsWhileAStepIsNotWritten) {

@@ -88,15 +88,26 @@ TEST_F(Kits, OfThisTreeHoldNoSolution) {
     const Kit kit = kit_of(root);
     std::vector<std::string> solutions;
     for (const fs::path& each : kit.solutions) solutions.push_back(each.generic_string());
-    for (const char* name :
-         {"techniques/vista/steps.cpp", "techniques/vista/tessellate.cpp",
-          "homework/vista/mutants/raster.cpp", "homework/vista/variants/variants.cpp",
-          "techniques/layered/steps.cpp", "techniques/layered/confusion.cpp",
-          "techniques/ldr/steps.cpp", "techniques/ldr/spans.cpp", "techniques/ldr/swar.h",
-          "homework/ldr/mutants/mutants.cpp", "homework/layered/mutants/mutants.cpp",
-          "homework/layered/variants/variants.cpp", "techniques/shadow_map/steps.cpp",
-          "techniques/shadow_map/cube.h", "techniques/shadow_map/cube.cpp",
-          "homework/shadow_map/mutants/maps.cpp", "homework/shadow_map/variants/maps.cpp"}) {
+    for (const char* name : {"techniques/vista/steps.cpp",
+                             "techniques/vista/tessellate.cpp",
+                             "homework/vista/mutants/raster.cpp",
+                             "homework/vista/variants/variants.cpp",
+                             "techniques/layered/steps.cpp",
+                             "techniques/layered/confusion.cpp",
+                             "techniques/ldr/steps.cpp",
+                             "techniques/ldr/spans.cpp",
+                             "techniques/ldr/swar.h",
+                             "homework/ldr/mutants/mutants.cpp",
+                             "homework/layered/mutants/mutants.cpp",
+                             "homework/layered/variants/variants.cpp",
+                             "techniques/shadow_map/steps.cpp",
+                             "techniques/shadow_map/cube.h",
+                             "techniques/shadow_map/cube.cpp",
+                             "homework/shadow_map/mutants/maps.cpp",
+                             "homework/shadow_map/variants/maps.cpp",
+                             "techniques/ssao/steps.cpp",
+                             "homework/ssao/mutants/occlusion.cpp",
+                             "homework/ssao/variants/variants.cpp"}) {
         EXPECT_THAT(solutions, Contains(name));
     }
     write_kit(root, kit, folder_);
@@ -132,6 +143,22 @@ TEST_F(Kits, OfThisTreeHoldNoSolution) {
         "techniques/shadow_map/shadow_map.h",
         "techniques/shadow_map/stress.cpp",
         "techniques/shadow_map/stress.h",
+        "techniques/ssao/ambient.cpp",
+        "techniques/ssao/ambient.h",
+        "techniques/ssao/passes.cpp",
+        "techniques/ssao/passes.h",
+        "techniques/ssao/plan.cpp",
+        "techniques/ssao/plan.h",
+        "techniques/ssao/rays.cpp",
+        "techniques/ssao/rays.h",
+        "techniques/ssao/render.cpp",
+        "techniques/ssao/render.h",
+        "techniques/ssao/slices.cpp",
+        "techniques/ssao/slices.h",
+        "techniques/ssao/ssao.h",
+        "techniques/ssao/stress.cpp",
+        "techniques/ssao/stress.h",
+        "techniques/ssao/view.h",
         "techniques/vista/vista.h"};
     std::vector<std::string> techniques = names(kit);
     std::erase_if(techniques,
@@ -151,6 +178,7 @@ TEST_F(Kits, AreSearchedForLinesOfTheSolutions) {
     for (const auto& [file, word] : {std::pair("techniques/vista/steps.cpp", "double s = "),
                                      {"techniques/layered/steps.cpp", "double diameter = "},
                                      {"techniques/layered/confusion.cpp", "double radius = "},
+                                     {"techniques/ssao/steps.cpp", "double height = "},
                                      {"techniques/ldr/swar.h", "const std::uint32_t out = "},
                                      {"techniques/ldr/steps.cpp", "const double part = "},
                                      {"techniques/shadow_map/steps.cpp", "const float along = "},
