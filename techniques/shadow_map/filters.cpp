@@ -49,14 +49,16 @@ Tap tap_at(const CubeMap& map, const Place& place, double x, double y) {
     return {map.at(texel), place.plane_along(glm::normalize(d))};
 }
 
-/// Looks at taps on a grid, up to `reach` texels to each side, no more than so many a side.
+/// Looks at taps on a grid, up to `reach` texels to each side, no more than so many a side:
+/// visit(tap, how many texels away).
 template <class Visit>
 void look_around(const CubeMap& map, const Place& place, double reach, int most, Visit&& visit) {
     const int steps = std::clamp(static_cast<int>(std::ceil(reach)), 1, most);
     const double step = reach / steps;
     for (int j = -steps; j <= steps; ++j) {
         for (int i = -steps; i <= steps; ++i) {
-            visit(tap_at(map, place, place.x + i * step, place.y + j * step));
+            visit(tap_at(map, place, place.x + i * step, place.y + j * step),
+                  step * std::max(std::abs(i), std::abs(j)));
         }
     }
 }
@@ -80,15 +82,16 @@ float soft_share(const CubeMap& map, double width, const Receiver& receiver, flo
     double sum = 0, count = 0, taps = 0;
     // As wide as what is half way to the lamp needs; what is nearer to it looks large from there.
     const double wide = penumbra(width, place.distance / 2, place.distance, map.n);
-    look_around(map, place, wide, most_taps, [&](const Tap& tap) {
-        if (!blocks(tap)) return;
+    look_around(map, place, wide, most_taps, [&](const Tap& tap, double away) {
+        // Only what lies between the receiver and some point of the lamp.
+        if (!blocks(tap) || away > penumbra(width, tap.stored, place.distance, map.n) + 1) return;
         sum += std::min(tap.stored, place.distance);
         count += 1;
     });
     if (count == 0) return 1;
     const double reach = std::max(penumbra(width, sum / count, place.distance, map.n), 0.5);
     sum = 0;
-    look_around(map, place, reach, most_taps, [&](const Tap& tap) {
+    look_around(map, place, reach, most_taps, [&](const Tap& tap, double) {
         sum += blocks(tap) ? 0 : 1;
         taps += 1;
     });
