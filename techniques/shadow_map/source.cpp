@@ -138,7 +138,7 @@ void MapSource::ask_map(const Lamp& lamp, double width, std::span<const Receiver
                         std::span<const float> biases, std::span<float> shares) const {
     switch (Mode(params_->mode)) {
         case Mode::pcss:
-            return soft_shares(lamp.map, lamp.nearest, width, receivers, biases, shares);
+            return soft_shares(lamp.map, width, receivers, biases, shares);
         case Mode::vsm:
         case Mode::msm:
             return shares_by_moments(lamp.map, lamp.moments, Mode(params_->mode) == Mode::msm,
