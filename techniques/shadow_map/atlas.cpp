@@ -73,14 +73,6 @@ std::uint64_t seen_in(const Content& content, const Vec3d& light, int face, int 
     return key.bits(0);
 }
 
-float nearest_in(const CubeMap& map) {
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const Face& face : map.faces) {
-        for (const float distance : face.distance.pixels()) nearest = std::min(nearest, distance);
-    }
-    return nearest;
-}
-
 }  // namespace
 
 std::uint64_t Lamp::bytes() const {
@@ -227,11 +219,8 @@ void Atlas::fill(std::span<const Stale> stale, const Scene& scene, Context& cont
         if (changed.empty() || changed.back() != lamp) changed.push_back(lamp);
     }
     const Mode mode = Mode(params_.mode);
-    for (Lamp* lamp : changed) {
-        lamp->nearest = nearest_in(lamp->map);
-        if (mode != Mode::vsm && mode != Mode::msm) continue;
-        lamp->moments = moments_of(lamp->map, context);
-    }
+    if (mode != Mode::vsm && mode != Mode::msm) return;
+    for (Lamp* lamp : changed) lamp->moments = moments_of(lamp->map, context);
 }
 
 void Atlas::fill(Lamp& lamp, int face, FaceRaster* raster, Context& context) {

@@ -18,7 +18,6 @@ struct Lamp {
     SphereMap sphere;
     Moments moments;
     Items items;
-    float nearest = 0;  ///< the least distance in the map
     /// What the faces were made from; a sphere map has but the first.
     std::array<std::uint64_t, faces_of_cube> made_from{};
 

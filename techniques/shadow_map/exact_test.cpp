@@ -229,6 +229,27 @@ TEST(ExactShadows, FindATriangleThatIsHardlyOffTheLight) {
     }
 }
 
+TEST(ExactShadows, KnowThatABoxShadesItsOwnInside) {
+    Scene scene = testing::empty_scene();  // the camera is in the box, the light is not
+    testing::add_shape(scene, Cube{.side = 8});
+    testing::add_shape(scene, Sphere{.centre = {1, -1, 3}, .radius = 0.5});
+    const OwnStudio studio(std::move(scene));
+    EXPECT_EQ(rays_left(studio), 0);
+}
+
+TEST(ExactShadows, HoldOnAHugeBallInGrazingLight) {
+    for (const double height : {1e-4, 0.01, 1.0}) {
+        Scene scene = testing::empty_scene();
+        scene.camera.position = {0, 2, 0};
+        scene.camera.pitch_deg = -20;
+        scene.lights[0] = PointLight{.position = {0.3, height, 4}, .power = 9};
+        testing::add_shape(scene, Sphere{.centre = {0, -1e6, 0}, .radius = 1e6});
+        testing::add_shape(scene, Cube{.side = 0.5}, Transform::translation({1, 0.2, 6}));
+        const OwnStudio studio(std::move(scene));
+        EXPECT_EQ(rays_left(studio), 0) << height;
+    }
+}
+
 TEST(ExactShadows, LeaveSolidsHeightfieldsAndDenseMeshesToRays) {
     Scene scene = testing::empty_scene();
     testing::add_shape(scene, testing::uv_sphere(60, 60, 1), Transform::translation({0, 0, 5}));

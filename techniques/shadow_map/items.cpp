@@ -47,22 +47,19 @@ class FaceBuilder {
         add_box(id, node, bounds_of(geometry), tested ? 0 : Item::not_tested);
     }
 
-    /// Sorts what was seen.
+    /// Sorts what was seen: by texel, then from near to far.
     ItemFace finished() {
-        const auto order = [](const Seen& s) {
-            return std::tuple(s.texel, s.item.nearest, s.item.node, s.item.primitive);
-        };
-        std::ranges::sort(seen_, [&](const Seen& a, const Seen& b) { return order(a) < order(b); });
         const std::size_t texels = out_.window.area();
+        std::vector<std::uint32_t> end(texels + 1, 0);
+        for (const Seen& seen : seen_) ++end[seen.texel + 1];
+        for (std::size_t texel = 0; texel < texels; ++texel) end[texel + 1] += end[texel];
+        std::vector<Item> sorted(seen_.size());
+        std::vector<std::uint32_t> next(end.begin(), end.end() - 1);
+        for (const Seen& seen : seen_) sorted[next[seen.texel]++] = seen.item;
         out_.first.reserve(texels + 1);
-        auto at = seen_.begin();
-        for (std::uint32_t texel = 0; texel < texels; ++texel) {
+        for (std::size_t texel = 0; texel < texels; ++texel) {
             out_.first.push_back(static_cast<std::uint32_t>(out_.items.size()));
-            for (std::size_t kept = 0; at != seen_.end() && at->texel == texel; ++at, ++kept) {
-                if (kept > most_items) continue;
-                out_.items.push_back(at->item);
-                if (kept == most_items) out_.items.back().node = no_node;
-            }
+            keep({sorted.data() + end[texel], end[texel + 1] - end[texel]});
         }
         out_.first.push_back(static_cast<std::uint32_t>(out_.items.size()));
         out_.items.shrink_to_fit();
@@ -70,6 +67,22 @@ class FaceBuilder {
     }
 
  private:
+    /// The nearest of a texel's items, each once; if some are left out, where they begin.
+    void keep(std::span<Item> items) {
+        const auto order = [](const Item& item) {
+            return std::tuple(item.nearest, item.node, item.primitive);
+        };
+        std::ranges::sort(items, {}, order);
+        std::size_t kept = 0;
+        for (const Item& item : items) {
+            if (kept > 0 && order(out_.items.back()) == order(item)) continue;
+            out_.items.push_back(item);
+            if (++kept <= most_items) continue;
+            out_.items.back().node = no_node;
+            break;
+        }
+    }
+
     /// Triangles that are much smaller than texels cost more than they tell: their mesh is then one
     /// item, its box.
     static bool pays(const Mesh& mesh, const Tile& seen) {
@@ -195,11 +208,12 @@ bool is_met(const Item& item, const Scene& scene, const Ray& ray) {
 
 /// 1: met by none of them, 0: by one; unknown.
 float share_by(std::span<const Item> items, double depth, const Scene& scene, const Ray& shadow,
-               Counts& counts) {
+               Counts& counts, NodeId own) {
     float share = 1;
     for (const Item& item : items) {
         if (item.nearest > depth) break;
         if (item.node == no_node) return ShadowSource::unknown;
+        if (item.node == own) continue;
         if (item.primitive == Item::not_tested) {
             share = ShadowSource::unknown;
             continue;
@@ -234,7 +248,8 @@ ItemFace items_of(const Scene& scene, const Content& content, const Vec3d& light
     return builder.finished();
 }
 
-float share_by_items(const Items& items, const Scene& scene, const Ray& shadow, Counts& counts) {
+float share_by_items(const Items& items, const Scene& scene, const Ray& shadow, Counts& counts,
+                     NodeId own) {
     const Vec3d& d = shadow.direction;
     if (!is_sound(shadow) || d == Vec3d(0)) return ShadowSource::unknown;
     const int face = face_of(d);
@@ -249,15 +264,26 @@ float share_by_items(const Items& items, const Scene& scene, const Ray& shadow, 
     if (x < window.x0 || x >= window.x1 || y < window.y0 || y >= window.y1) {
         return ShadowSource::unknown;
     }
-    const float near = share_by(at.everywhere, depth, scene, shadow, counts);
+    const float near = share_by(at.everywhere, depth, scene, shadow, counts, own);
     if (near == 0) return 0;
     const std::size_t texel =
         static_cast<std::size_t>(y - window.y0) * static_cast<std::size_t>(window.width()) +
         static_cast<std::size_t>(x - window.x0);
     const std::uint32_t first = at.first[texel], end = at.first[texel + 1];
     const float share =
-        share_by({at.items.data() + first, end - first}, depth, scene, shadow, counts);
+        share_by({at.items.data() + first, end - first}, depth, scene, shadow, counts, own);
     return share == 0 ? 0 : std::min(near, share);
+}
+
+NodeId own_convex(const Scene& scene, const Surface& surface, const Ray& shadow) {
+    const Geometry& geometry = scene.geometries[scene.nodes[surface.node].geometry];
+    if (!std::holds_alternative<Sphere>(geometry) && !std::holds_alternative<Cube>(geometry)) {
+        return no_node;
+    }
+    const double length = glm::length(shadow.direction);
+    const double lift = surface.error + surface.error_per_distance * length;
+    const double height = -glm::dot(surface.geometric_normal, shadow.direction);
+    return surface.front && lift < 0x1p-28 * height ? surface.node : no_node;
 }
 
 }  // namespace luch::techniques::shadow_map

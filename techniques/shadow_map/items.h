@@ -44,7 +44,14 @@ ItemFace items_of(const Scene& scene, const Content& content, const Vec3d& light
                   const Tile& window);
 
 /// Whether something blocks a shadow ray from the light: by the functions that every other ray asks
-/// too (1, 0: share of light), or ShadowSource::unknown. Counts object tests.
-float share_by_items(const Items& items, const Scene& scene, const Ray& shadow, Counts& counts);
+/// too (1, 0: share of light), or ShadowSource::unknown. Counts object tests. `own`: a node that
+/// certainly does not.
+float share_by_items(const Items& items, const Scene& scene, const Ray& shadow, Counts& counts,
+                     NodeId own = no_node);
+
+/// The receiver's node, when it is convex and the ray to the receiver certainly ends before it: it
+/// comes from outside, and so steeply that no t of a hit would be rounded to less than 1. Else
+/// no_node.
+NodeId own_convex(const Scene& scene, const Surface& surface, const Ray& shadow);
 
 }  // namespace luch::techniques::shadow_map

@@ -176,7 +176,7 @@ TEST(SoftShadows, AreAsWideAsTheLampAndTheBlockerMakeThem) {
         const Receiver receiver{Vec3(x, 0.3, 4), {0, 0, -1}};
         float bias = 0, share = 0;
         reference().bias({&receiver, 1}, n, {&bias, 1});
-        soft_shares(map, 2, 0.5, {&receiver, 1}, {&bias, 1}, {&share, 1});
+        soft_shares(map, 0.5, {&receiver, 1}, {&bias, 1}, {&share, 1});
         return share;
     };
     for (const double x : {-0.2, -0.1, 0.0, 0.1, 0.2}) {

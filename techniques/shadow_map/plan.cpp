@@ -136,10 +136,15 @@ Stage raster_stage(const Scene& scene, const Params& params) {
             rounding_share};
 }
 
+/// Shadow rays in packets are about as quick as a look at a map where they meet no more nodes than
+/// this (measured: 13 to 61 nodes 0.6–1.1 ×, 9,000 nodes 1.3–1.5 × as quick with maps).
+constexpr std::size_t few_nodes = 200;
+
 /// Shadow rays are as many as pixels, a light; maps that stand still are made once.
 std::string worth(const Scene& scene, const Shot& shot, const Params& params) {
-    const auto maps = scene.lights.size() - lights_of(scene, params).by_rays;
-    const double texels = static_cast<double>(maps) * faces_of_cube * params.side * params.side;
+    const LightCount lights = lights_of(scene, params);
+    const auto maps = static_cast<double>(scene.lights.size() - lights.by_rays);
+    const double texels = maps * faces_of_cube * params.side * params.side;
     const double rays = static_cast<double>(shot.size.area()) *
                         static_cast<double>(scene.lights.size()) * std::max(shot.spp, 1);
     const bool moving = std::ranges::any_of(scene.nodes, &Node::moving);
@@ -148,6 +153,12 @@ std::string worth(const Scene& scene, const Shot& shot, const Params& params) {
             "does not pay: things move, and of up to {:.3g} M texels those that see them are "
             "filled anew each frame, against {:.3g} M shadow rays",
             texels * 1e-6, rays * 1e-6);
+    }
+    if (scene.nodes.size() <= few_nodes) {
+        return fmt::format(
+            "does not pay by time: among {} nodes packets of shadow rays are as quick as maps, but "
+            "up to {:.3g} M rays a frame are spared",
+            scene.nodes.size(), rays * 1e-6);
     }
     return fmt::format(
         "up to {:.3g} M texels are filled once, in the place of {:.3g} M shadow rays a frame: it "

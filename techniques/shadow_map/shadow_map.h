@@ -148,7 +148,7 @@ struct Params {
     bool fit = true;  ///< a far light's faces are cut to what receives its light, and divided finer
     int points = 16;  ///< point lights that stand for a light with an area
     int pattern = 1;  ///< an index: Pattern
-    int memory = 64;  ///< MB of maps; the lights beyond that are left to rays
+    int memory = 128;     ///< MB of maps; the lights beyond that are left to rays
     bool judge = false;   ///< planes of what is wrong, by a shadow ray for every answer
     bool unwrap = false;  ///< the frame shows the first light's faces
 };

@@ -138,24 +138,25 @@ void MapSource::ask_map(const Lamp& lamp, double width, std::span<const Receiver
                         std::span<const float> biases, std::span<float> shares) const {
     switch (Mode(params_->mode)) {
         case Mode::pcss:
-            return soft_shares(lamp.map, lamp.nearest, width, receivers, biases, shares);
+            return soft_shares(lamp.map, width, receivers, biases, shares);
         case Mode::vsm:
         case Mode::msm:
             return shares_by_moments(lamp.map, lamp.moments, Mode(params_->mode) == Mode::msm,
                                      receivers, biases, shares);
-        case Mode::heuristic:
-            return agreed_shares(lamp.map, receivers, biases, shares);
         default:
             break;
     }
-    call_step(*context_, filter_ ? steps_->pcf : steps_->lit,
-              filter_ ? reference().pcf : reference().lit, lamp.map, receivers, biases, shares);
+    const bool heuristic = Mode(params_->mode) == Mode::heuristic, filter = filter_ || heuristic;
+    call_step(*context_, filter ? steps_->pcf : steps_->lit,
+              filter ? reference().pcf : reference().lit, lamp.map, receivers, biases, shares);
+    if (heuristic) keep_agreed(receivers, biases, shares);
 }
 
 void MapSource::ask_items(const Lamp& lamp, const Asked& asked, std::span<float> shares) const {
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const Ray shadow = shadow_ray(asked[i], lamp.point.position);
-        shares[i] = share_by_items(lamp.items, *scene_, shadow, tracer_->counts());
+        shares[i] = share_by_items(lamp.items, *scene_, shadow, tracer_->counts(),
+                                   own_convex(*scene_, asked[i], shadow));
     }
 }
 

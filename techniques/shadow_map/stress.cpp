@@ -132,75 +132,94 @@ StressResult moved(const TechniqueInfo& info, const Scene& before, const Scene& 
             "as if it had always been there"};
 }
 
-}  // namespace
-
-std::vector<StressCase> stress_cases(const TechniqueInfo& info, bool full) {
+/// A list in the making.
+struct CaseList {
+    TechniqueInfo info;
+    bool full;
     std::vector<StressCase> cases;
-    const auto look = [&](std::string name, std::string expected, std::function<Case()> make_it) {
-        cases.push_back(
-            {16, std::move(name), std::move(expected), [info, full, make_it = std::move(make_it)] {
-                 Case made = make_it();
-                 if (full) made.scene.settings.frame = {640, 480};
-                 return looked_at(info, made);
-             }});
-    };
+
+    void look(std::string name, std::string expected, std::function<Case()> make_it) {
+        cases.push_back({16, std::move(name), std::move(expected),
+                         [info = info, full = full, make_it = std::move(make_it)] {
+                             Case made = make_it();
+                             if (full) made.scene.settings.frame = {640, 480};
+                             return looked_at(info, made);
+                         }});
+    }
+    void move(std::string name, std::function<void(Scene&)> change) {
+        cases.push_back({16, std::move(name), "no trace of where it was",
+                         [info = info, change = std::move(change)] {
+                             const Scene before = stacked().scene;
+                             Scene after = before;
+                             change(after);
+                             return moved(info, before, after);
+                         }});
+    }
+};
+
+void add_rooms(CaseList& list) {
     const std::string no_acne = "no false shadow";
     for (const double yaw : {45.0, 135.0, 225.0, 315.0}) {
-        look(fmt::format("a lamp's edges and corners, towards {:.0f}°", yaw), no_acne,
-             [yaw] { return room(Vec3d(0), yaw, 35); });
+        list.look(fmt::format("a lamp's edges and corners, towards {:.0f}°", yaw), no_acne,
+                  [yaw] { return room(Vec3d(0), yaw, 35); });
         // In a texel across a corner of the room the centre may see the nearer wall.
-        look(fmt::format("a lamp off the middle, towards {:.0f}°", yaw), "false shadow ≤ 0.1 %",
-             [yaw] {
-                 Case made = room({3.99, -2, 1}, yaw, -35);
-                 made.acne = 0.001;
-                 return made;
-             });
+        list.look(fmt::format("a lamp off the middle, towards {:.0f}°", yaw),
+                  "false shadow ≤ 0.1 %", [yaw] {
+                      Case made = room({3.99, -2, 1}, yaw, -35);
+                      made.acne = 0.001;
+                      return made;
+                  });
     }
-    look("straight up from the lamp", no_acne, [] { return room({0, -3, 0}, 0, 90); });
-    look("straight down from the lamp", no_acne, [] { return room({0, 3, 0}, 0, -90); });
-    look("a lamp on a wall", "finite, threads agree", [] {
+    list.look("straight up from the lamp", no_acne, [] { return room({0, -3, 0}, 0, 90); });
+    list.look("straight down from the lamp", no_acne, [] { return room({0, 3, 0}, 0, -90); });
+    list.look("a lamp on a wall", "finite, threads agree", [] {
         Case made = room({4, 0, 0}, 90, 0);
         made.acne = 1;
         return made;
     });
-    look("a lamp in a closed box", "no light gets out", [] {
+}
+
+void add_floors(CaseList& list) {
+    list.look("a lamp in a closed box", "no light gets out", [] {
         Case made{floor_below({0, 2, 0}, 12)};
         add(made.scene, Cube{.side = 1}, {0, 2, 0});
         made.leaks = 0;
         return made;
     });
-    look("a lamp where a floor is", "finite, threads agree", [] {
+    list.look("a lamp where a floor is", "finite, threads agree", [] {
         Case made{floor_below({0, 0, 0}, 6)};
         made.acne = 1;
         return made;
     });
     for (const double height : {5.0, 0.5, 0.05}) {
-        look(fmt::format("a floor lit from {} above, up to {:.1f}° off", height,
-                         std::atan(7 / height) * 180 / std::numbers::pi),
-             "false shadow ≤ 0.1 %", [height] {
-                 Case made{floor_below({0, height, 0}, 9)};
-                 add(made.scene, Sphere{}, {0, 40, 0});
-                 made.acne = 0.001;
-                 return made;
-             });
+        list.look(fmt::format("a floor lit from {} above, up to {:.1f}° off", height,
+                              std::atan(7 / height) * 180 / std::numbers::pi),
+                  "false shadow ≤ 0.1 %", [height] {
+                      Case made{floor_below({0, height, 0}, 9)};
+                      add(made.scene, Sphere{}, {0, 40, 0});
+                      made.acne = 0.001;
+                      return made;
+                  });
     }
-    look("a thin box over a floor", "its shadow, right but for its edge", thin_box);
-    look("six boxes behind one another", "their shadows, right but for edges", stacked);
-    cases.push_back({16, "a box that moves", "no trace of where it was", [info] {
-                         const Scene before = stacked().scene;
-                         Scene after = before;
-                         after.nodes[3].to_world =
-                             Transform::translation({2, 3, -1}).then(after.nodes[3].to_world);
-                         after.nodes[3].to_object = after.nodes[3].to_world.inverse();
-                         return moved(info, before, after);
-                     }});
-    cases.push_back({16, "a lamp that moves", "no trace of where it was", [info] {
-                         const Scene before = stacked().scene;
-                         Scene after = before;
-                         std::get<PointLight>(after.lights[0]).position = {-4, 18, 3};
-                         return moved(info, before, after);
-                     }});
-    return cases;
+    list.look("a thin box over a floor", "its shadow, right but for its edge", thin_box);
+    list.look("six boxes behind one another", "their shadows, right but for edges", stacked);
+}
+
+}  // namespace
+
+std::vector<StressCase> stress_cases(const TechniqueInfo& info, bool full) {
+    CaseList list{info, full, {}};
+    add_rooms(list);
+    add_floors(list);
+    list.move("a box that moves", [](Scene& scene) {
+        Node& box = scene.nodes[3];
+        box.to_world = Transform::translation({2, 3, -1}).then(box.to_world);
+        box.to_object = box.to_world.inverse();
+    });
+    list.move("a lamp that moves", [](Scene& scene) {
+        std::get<PointLight>(scene.lights[0]).position = {-4, 18, 3};
+    });
+    return list.cases;
 }
 
 }  // namespace luch::techniques::shadow_map
