@@ -138,6 +138,8 @@ TEST_F(Kits, OfThisTreeHoldNoSolution) {
         "techniques/ldr/swar.h from homework/ldr/kit/technique/swar.h",
         "techniques/ldr/word.h",
         "techniques/ldr/word_sample.cpp",
+        "techniques/shadow_map/content.cpp",
+        "techniques/shadow_map/content.h",
         "techniques/shadow_map/judged.cpp",
         "techniques/shadow_map/judged.h",
         "techniques/shadow_map/shadow_map.h",

@@ -2,11 +2,13 @@
 // solutions. It has the lecture's maps, without what makes them quick or exact. Where a step is not
 // written something simple stands in (stand_ins.cpp), and the picture is hatched.
 #include "framework/baseline/classic.h"
+#include "techniques/shadow_map/content.h"
 #include "techniques/shadow_map/judged.h"
 #include "techniques/shadow_map/shadow_map.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace luch::techniques::shadow_map {
 namespace {
@@ -29,6 +31,7 @@ struct Lamps {
     std::vector<LightPoint> points;  ///< none: shadow rays shall tell
     std::vector<CubeMap> maps;
     Vec3d facing{0};  ///< of a light with an area; else zero
+    int n = 1;        ///< texels along an edge of a face
 };
 
 /// What a point of a light with an area would send to a surface were nothing in between, but for a
@@ -157,25 +160,35 @@ class ShadowMap final : public Technique {
     }
 
     void prepare(const Scene& scene, const Shot& shot, Context& context) override {
-        lights_.assign(scene.lights.size(), {});
+        std::vector<Lamps> lights(scene.lights.size());
+        Key made_from(Content(scene).digest());
         double left = params_.memory * 0x1p20 / sizeof(float);  // texels
-        for (std::size_t i = 0; i < lights_.size(); ++i) {
-            Lamps& lamps = lights_[i];
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            Lamps& lamps = lights[i];
             place(scene.lights[i], Key(shot.seed).branch(i), lamps, context);
             // The points of a light with an area share the texels of one map.
             const bool many = std::holds_alternative<RectLight>(scene.lights[i]);
             const int side = static_cast<int>(params_.side / std::sqrt(many ? params_.points : 1));
-            const int n = std::max(side, 1);
-            const double texels = 6.0 * n * n * static_cast<double>(lamps.points.size());
-            if (texels > left) {  // its shadows are left to rays
-                lamps = {};
-                continue;
-            }
-            left -= texels;
-            for (const LightPoint& point : lamps.points) {
-                lamps.maps.push_back(map_around(point.position, n, context));
+            lamps.n = std::max(side, 1);
+            const double texels =
+                6.0 * lamps.n * lamps.n * static_cast<double>(lamps.points.size());
+            if (texels > left) lamps = {};  // its shadows are left to rays
+            left -= lamps.points.empty() ? 0 : texels;
+            made_from = followed(made_from.branch(i), lamps.n);
+            for (const LightPoint& each : lamps.points) {
+                made_from = followed(made_from, each.position);
             }
         }
+        // What stands still is looked at once.
+        if (made_from_ == made_from.bits(0)) return;
+        lights_ = std::move(lights);
+        for (Lamps& lamps : lights_) {
+            for (const LightPoint& point : lamps.points) {
+                lamps.maps.push_back(map_around(point.position, lamps.n, context));
+            }
+        }
+        made_from_.reset();
+        if (context.unwritten().empty()) made_from_ = made_from.bits(0);
     }
 
     void render(const Scene& scene, const Shot& shot, Frame& frame, Context& context) override {
@@ -240,6 +253,7 @@ class ShadowMap final : public Technique {
     Steps steps_;
     Params params_;
     std::vector<Lamps> lights_;
+    std::optional<std::uint64_t> made_from_;  ///< what the maps depend on, were no hole met
 };
 
 }  // namespace
