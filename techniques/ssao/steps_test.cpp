@@ -229,7 +229,7 @@ TEST(Occlusion, DoesNotGoRoundToTheOtherSideOfTheFrame) {
     // turns, and would find the rim of the other side.
     Seen seen({48, 36}, {wall_behind});
     each_pixel({0, 0, 48, 36}, [&](int x, int y) {
-        if (x < 7 || x >= 41) seen.position(x, y) *= 11.5f / 12;
+        if (x < 7 || x >= 41) seen.position(x, y) *= 11.0f / 12;
     });
     const float px = seen.position(24, 18).x - seen.position(23, 18).x;
     const std::array point{Vec3(0.8f, 0, 0.04f)};
