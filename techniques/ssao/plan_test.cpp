@@ -125,7 +125,6 @@ TEST(SsaoPlan, KeepsThePassInsideOfAThingAndForTwoThings) {
 Scene corner() {
     Scene scene = one(Plane{.y = -1, .limit = 20});
     testing::add_shape(scene, Cube{.centre = {0, 0, 15}, .side = 20});
-    scene.nodes[0].to_world = Transform{};
     scene.camera.position = {0, 0, -1};
     return scene;
 }

@@ -92,8 +92,9 @@ struct Around {
 /// The surface that is seen where a point of camera space would be, if it falls on the frame.
 std::optional<Vec3> seen_at(const GBuffer& seen, const Screen& screen, const Vec3& point) {
     const auto px = screen.project(point);
-    if (!px || px->x < 0 || px->y < 0) return {};
-    if (px->x >= seen.position.width() || px->y >= seen.position.height()) return {};
+    const bool in_frame = px && px->x >= 0 && px->y >= 0 && px->x < seen.position.width() &&
+                          px->y < seen.position.height();
+    if (!in_frame) return {};
     return seen.position(static_cast<int>(px->x), static_cast<int>(px->y));
 }
 
