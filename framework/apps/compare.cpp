@@ -100,6 +100,7 @@ class Compare final : public Verb {
         return "  luch compare before.png after.png\n"
                "  luch compare baseline vista scenes/room/room.scene --difference out/off.png\n"
                "  luch compare vista homework/vista scenes/room/room.scene --json out/mine.json\n"
+               "  luch compare baseline shadow_map scenes/fence/fence.scene -p mode=exact\n"
                "  luch compare truth.exr fast.exr --fail-above rmse=0.01 --fail-above flip=0.05\n"
                "  luch compare truth.png fast.png --flip-map out/flip.png --fail-below ssim=0.98\n"
                "  luch compare truth.png foveated.png --gaze 320,240\n"
@@ -113,6 +114,7 @@ class Compare final : public Verb {
         arguments.positional("A", a_, "the reference: a picture or a technique");
         arguments.positional("B", b_, "what is compared with it: a picture or a technique");
         arguments.positional("SCENE", scene_, "a scene file, when A or B is a technique", false);
+        arguments.option("-p,--param", params_, "KEY=VALUE", "a parameter of B, a technique");
         arguments.flag("--linear", linear_, "compare in linear light");
         arguments.flag("--displayed", displayed_, "compare as displayed, also .exr and .hdr files");
         arguments.option("--difference", difference_, "FILE", "write |A − B|, amplified");
@@ -137,8 +139,8 @@ class Compare final : public Verb {
     [[nodiscard]] bool within(const std::vector<Limit>& all, const Errors& errors) const;
     void write_pictures(const ComparablePair& pair) const;
     [[nodiscard]] std::pair<Side, Side> sides() const;
-    [[nodiscard]] Side rendered(const std::string& name, const Session& session,
-                                const Shot& shot) const;
+    [[nodiscard]] Side rendered(const std::string& name, const std::vector<std::string>& params,
+                                const Session& session, const Shot& shot) const;
     void report(const Side& a, const Side& b, const ComparablePair& pair,
                 const Errors& errors) const;
     void report_costs(const Side& a, const Side& b) const;
@@ -146,7 +148,7 @@ class Compare final : public Verb {
                                const Errors& errors, bool passed) const;
 
     std::string a_, b_, scene_, difference_, flip_map_, gaze_, json_;
-    std::vector<std::string> above_, below_;
+    std::vector<std::string> params_, above_, below_;
     double amplify_ = 10;
     int frames_ = 3;
     bool linear_ = false, displayed_ = false;
@@ -160,21 +162,28 @@ std::vector<Limit> Compare::limits() const {
     return all;
 }
 
-Side Compare::rendered(const std::string& name, const Session& session, const Shot& shot) const {
-    const auto technique = make_technique(name);
+Side Compare::rendered(const std::string& name, const std::vector<std::string>& params,
+                       const Session& session, const Shot& shot) const {
+    const auto technique = make_technique(name, params);
+    std::string shown = name;
+    for (const std::string& each : params) shown += " " + each;
     Budget budget = session.budget();
     budget.planes = false;
     Outcome outcome = luch::run(*technique, session.studio(), shot, budget, {1, frames_});
     if (!outcome.plan.applies) {
         throw Error(name + " does not apply to this scene: " + outcome.plan.why);
     }
-    return {name, {outcome.frame.colour, Encoding::linear}, std::move(outcome)};
+    return {shown, {outcome.frame.colour, Encoding::linear}, std::move(outcome)};
 }
 
 std::pair<Side, Side> Compare::sides() const {
     std::array<Side, 2> both;
     std::array<bool, 2> made{};
     const std::array names{a_, b_};
+    const std::array<std::vector<std::string>, 2> params{{{}, params_}};
+    if (!params_.empty() && !is_technique(b_)) {
+        throw Error("-p: " + b_ + " is no technique and has no parameters");
+    }
     for (std::size_t i = 0; i < 2; ++i) {
         made[i] = is_technique(names[i]);
         if (made[i]) continue;
@@ -197,7 +206,7 @@ std::pair<Side, Side> Compare::sides() const {
         if (!made[i] && options_.size.empty()) shot.size = both[i].picture.pixels.size();
     }
     for (std::size_t i = 0; i < 2; ++i) {
-        if (made[i]) both[i] = rendered(names[i], session, shot);
+        if (made[i]) both[i] = rendered(names[i], params[i], session, shot);
     }
     return {std::move(both[0]), std::move(both[1])};
 }
@@ -220,7 +229,8 @@ void Compare::report_costs(const Side& a, const Side& b) const {
         row.push_back(grouped(outcome.counts.fallbacks));
         table.add(std::move(row));
         for (const std::string& task : outcome.unwritten) {
-            fmt::print("{}: {} is still to be written; what stood in is not yours\n", side->name, task);
+            fmt::print("{}: {} is still to be written; what stood in is not yours\n", side->name,
+                       task);
         }
     }
     fmt::print("{}\n", table.text());

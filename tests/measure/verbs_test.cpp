@@ -47,6 +47,20 @@ TEST_F(CompareVerb, ComparesAsIsAskedFor) {
     EXPECT_EQ(luch_compare("grey.png lighter.png --linear --displayed").status, 2);
 }
 
+TEST_F(CompareVerb, SetsParametersOfWhatIsCompared) {
+    const std::string scene = " '" LUCH_SOURCE_DIR "/scenes/clay/clay.scene' --size 24x18 --spp 1";
+    const Ran same = luch_compare("ldr ldr -p levels=256" + scene);
+    EXPECT_THAT(same.text, HasSubstr("ldr levels=256"));
+    EXPECT_THAT(same.text, ::testing::Not(HasSubstr("pixels differ")));
+    EXPECT_THAT(luch_compare("ldr ldr -p levels=16" + scene).text, HasSubstr("pixels differ"));
+    const Ran wrong = luch_compare("ldr ldr -p level=4" + scene);
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.text, HasSubstr("levels"));
+    const Ran picture = luch_compare("grey.png lighter.png -p levels=4");
+    EXPECT_EQ(picture.status, 2);
+    EXPECT_THAT(picture.text, HasSubstr("lighter.png is no technique"));
+}
+
 TEST_F(CompareVerb, EndsWithOneWhenALimitIsExceededAndOnlyThen) {
     EXPECT_EQ(luch_compare("grey.png lighter.png --fail-above rmse=0.5").status, 0);
     const Ran ran =
