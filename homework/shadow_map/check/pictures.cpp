@@ -10,7 +10,7 @@ namespace luch::homework::shadow_map {
 namespace {
 
 constexpr Size panel{212, 159};
-const Rgb white(1), black(0.02f), red(0.85f, 0.05f, 0.02f);
+const Rgb white(1), red(0.85f, 0.05f, 0.02f);
 
 Image<Rgb> in_a_row(const std::vector<Image<Rgb>>& images) {
     constexpr int gap = 6;

@@ -88,48 +88,52 @@ grading::Other mutant(const char* name, const char* cause) {
 
 std::vector<grading::Other> bias_mutants() {
     return {
-        mutant<{.factor = 0, .no_rounding = true}>("no_bias",
-                                                   "there is no bias: surfaces shade "
-                                                   "themselves (acne)"),
-        mutant<{.factor = 0, .constant = 0.05}>(
+        mutant<BiasRules{.factor = 0, .no_rounding = true}>("no_bias",
+                                                            "there is no bias: surfaces shade "
+                                                            "themselves (acne)"),
+        mutant<BiasRules{.factor = 0, .constant = 0.05}>(
             "constant_bias",
             "one number for all: too little for steep surfaces, too much for flat "
             "ones"),
-        mutant<{.factor = 0, .share = 0.02}>("share_of_distance",
-                                             "a share of the distance, whatever the slope"),
-        mutant<{.factor = 20}>("huge_bias", "far too large: shadows come off their feet"),
-        mutant<{.factor = 0.5}>("half_the_bias",
-                                "half of it: h is 2/n, as a face is 2 wide, and ½h is 1/n"),
-        mutant<{.factor = 2}>("twice_the_bias", "twice as much: only half a texel, ½h, is needed"),
-        mutant<{.at_centre = true}>(
+        mutant<BiasRules{.factor = 0, .share = 0.02}>(
+            "share_of_distance", "a share of the distance, whatever the slope"),
+        mutant<BiasRules{.factor = 20}>("huge_bias", "far too large: shadows come off their feet"),
+        mutant<BiasRules{.factor = 0.5}>(
+            "half_the_bias", "half of it: h is 2/n, as a face is 2 wide, and ½h is 1/n"),
+        mutant<BiasRules{.factor = 2}>("twice_the_bias",
+                                       "twice as much: only half a texel, ½h, is needed"),
+        mutant<BiasRules{.at_centre = true}>(
             "at_the_centre",
             "the gradient is that at the texel's centre: take the receiver's place"),
-        mutant<{.of_depth = true}>("slope_of_depth",
-                                   "the slope of the depth along the axis, not of the distance"),
-        mutant<{.sum = BiasRules::signs}>("signs_cancel",
-                                          "the two slopes may cancel: add their "
-                                          "sizes"),
-        mutant<{.sum = BiasRules::larger}>("larger_slope",
-                                           "only the larger slope: a texel's corner is off in "
-                                           "both"),
-        mutant<{.sum = BiasRules::root}>("length_of_gradient",
-                                         "the gradient's length: a texel is square, add the sizes"),
-        mutant<{.sum = BiasRules::upward}>("one_way_only",
-                                           "slopes that fall do not count: the centre may be on "
-                                           "either side"),
-        mutant<{.sum = BiasRules::only_u}>("only_along_x",
-                                           "only along x of the face: y is missing"),
-        mutant<{.by_tangent = true}>("tangent",
-                                     "the tangent of the angle: texels are smaller off the middle"),
-        mutant<{.no_distance = true}>("not_by_distance",
-                                      "the slopes are not multiplied by the distance"),
-        mutant<{.no_rounding = true}>("no_rounding",
-                                      "nothing is left for rounding: rounding_share"),
-        mutant<{.edge_on_is_zero = true}>("edge_on_is_zero",
-                                          "a plane through the light: infinite, not 0"),
-        mutant<{.unguarded = true}>("zero_over_zero", "0/0 where the receiver is in the light"),
-        mutant<{.faces_light_only = true}>("one_side_only",
-                                           "only normals towards the light: either side counts"),
+        mutant<BiasRules{.of_depth = true}>(
+            "slope_of_depth", "the slope of the depth along the axis, not of the distance"),
+        mutant<BiasRules{.sum = BiasRules::signs}>("signs_cancel",
+                                                   "the two slopes may cancel: add their "
+                                                   "sizes"),
+        mutant<BiasRules{.sum = BiasRules::larger}>(
+            "larger_slope",
+            "only the larger slope: a texel's corner is off in "
+            "both"),
+        mutant<BiasRules{.sum = BiasRules::root}>(
+            "length_of_gradient", "the gradient's length: a texel is square, add the sizes"),
+        mutant<BiasRules{.sum = BiasRules::upward}>(
+            "one_way_only",
+            "slopes that fall do not count: the centre may be on "
+            "either side"),
+        mutant<BiasRules{.sum = BiasRules::only_u}>("only_along_x",
+                                                    "only along x of the face: y is missing"),
+        mutant<BiasRules{.by_tangent = true}>(
+            "tangent", "the tangent of the angle: texels are smaller off the middle"),
+        mutant<BiasRules{.no_distance = true}>("not_by_distance",
+                                               "the slopes are not multiplied by the distance"),
+        mutant<BiasRules{.no_rounding = true}>("no_rounding",
+                                               "nothing is left for rounding: rounding_share"),
+        mutant<BiasRules{.edge_on_is_zero = true}>("edge_on_is_zero",
+                                                   "a plane through the light: infinite, not 0"),
+        mutant<BiasRules{.unguarded = true}>("zero_over_zero",
+                                             "0/0 where the receiver is in the light"),
+        mutant<BiasRules{.faces_light_only = true}>(
+            "one_side_only", "only normals towards the light: either side counts"),
     };
 }
 

@@ -97,46 +97,52 @@ grading::Other mutant(const char* name, const char* cause) {
 std::vector<grading::Other> light_mutants() {
     using L = LightRules;
     return {
-        mutant<{.grid = L::corners}>("cell_corners",
-                                     "regular: in the cells' corners, not their middles"),
-        mutant<{.grid = L::ends}>("edge_to_edge_grid",
-                                  "regular: from edge to edge; cells have middles"),
-        mutant<{.grid = L::in_line}>("in_a_line", "all cells in one row: c × r of them, r ≤ √n"),
-        mutant<{.grid = L::turned}>("grid_turned",
-                                    "columns and rows are swapped: more along the light's x"),
-        mutant<{.jitter = L::same}>("one_jitter_for_all",
-                                    "jittered: every cell has the same number: key.square(i)"),
-        mutant<{.jitter = L::none}>("no_jitter", "jittered: the points are the regular ones"),
-        mutant<{.jitter = L::everywhere}>("jitter_everywhere",
-                                          "jittered: the points lie anywhere, not one in each "
-                                          "cell"),
-        mutant<{.jitter = L::diagonal}>("diagonal",
-                                        "jittered: one number for both axes: a diagonal"),
-        mutant<{.jitter = L::half}>("half_a_cell_off",
-                                    "jittered: half a cell off: 0..1 within the cell"),
-        mutant<{.jitter = L::middle}>("jitter_too_small",
-                                      "jittered: only the middle of each cell is used"),
-        mutant<{.random = L::in_cells}>("random_in_cells",
-                                        "random: one in each cell is jittered, not random"),
-        mutant<{.random = L::corner}>("random_in_a_corner",
-                                      "random: only a part of the light is used"),
-        mutant<{.random = L::squared}>("random_uneven", "random: some places come more often"),
-        mutant<{.whole_power = true}>("whole_power",
-                                      "each point has all of the light's power: divide by n"),
-        mutant<{.not_lifted = true}>("not_lifted",
-                                     "the points lie in the light's own face: lifted_off()"),
-        mutant<{.below = true}>("behind_the_face", "the points lie behind the light's face"),
-        mutant<{.not_placed = true}>("not_in_the_world",
-                                     "the places are the light's own, not the world's: "
-                                     "lifted_off()"),
-        mutant<{.zero_to_one = true}>("off_the_square", "the square is −½..½, not 0..1"),
-        mutant<{.appends = true}>("added_to_the_old", "what was in the list before is still there"),
-        mutant<{.one_more = true}>("one_too_many", "n + 1 points"),
-        mutant<{.one_key = true}>("key_ignored", "every key gives the same points"),
-        mutant<{.counts_on = true}>("running_counter",
-                                    "the points depend on earlier calls: only on the key"),
-        mutant<{.regular_is_jittered = true}>("regular_at_random",
-                                              "regular: the points are random"),
+        mutant<LightRules{.grid = L::corners}>("cell_corners",
+                                               "regular: in the cells' corners, not their middles"),
+        mutant<LightRules{.grid = L::ends}>("edge_to_edge_grid",
+                                            "regular: from edge to edge; cells have middles"),
+        mutant<LightRules{.grid = L::in_line}>("in_a_line",
+                                               "all cells in one row: c × r of them, r ≤ √n"),
+        mutant<LightRules{.grid = L::turned}>(
+            "grid_turned", "columns and rows are swapped: more along the light's x"),
+        mutant<LightRules{.jitter = L::same}>(
+            "one_jitter_for_all", "jittered: every cell has the same number: key.square(i)"),
+        mutant<LightRules{.jitter = L::none}>("no_jitter",
+                                              "jittered: the points are the regular ones"),
+        mutant<LightRules{.jitter = L::everywhere}>(
+            "jitter_everywhere",
+            "jittered: the points lie anywhere, not one in each "
+            "cell"),
+        mutant<LightRules{.jitter = L::diagonal}>("diagonal",
+                                                  "jittered: one number for both axes: a diagonal"),
+        mutant<LightRules{.jitter = L::half}>("half_a_cell_off",
+                                              "jittered: half a cell off: 0..1 within the cell"),
+        mutant<LightRules{.jitter = L::middle}>("jitter_too_small",
+                                                "jittered: only the middle of each cell is used"),
+        mutant<LightRules{.random = L::in_cells}>(
+            "random_in_cells", "random: one in each cell is jittered, not random"),
+        mutant<LightRules{.random = L::corner}>("random_in_a_corner",
+                                                "random: only a part of the light is used"),
+        mutant<LightRules{.random = L::squared}>("random_uneven",
+                                                 "random: some places come more often"),
+        mutant<LightRules{.whole_power = true}>(
+            "whole_power", "each point has all of the light's power: divide by n"),
+        mutant<LightRules{.not_lifted = true}>(
+            "not_lifted", "the points lie in the light's own face: lifted_off()"),
+        mutant<LightRules{.below = true}>("behind_the_face",
+                                          "the points lie behind the light's face"),
+        mutant<LightRules{.not_placed = true}>("not_in_the_world",
+                                               "the places are the light's own, not the world's: "
+                                               "lifted_off()"),
+        mutant<LightRules{.zero_to_one = true}>("off_the_square", "the square is −½..½, not 0..1"),
+        mutant<LightRules{.appends = true}>("added_to_the_old",
+                                            "what was in the list before is still there"),
+        mutant<LightRules{.one_more = true}>("one_too_many", "n + 1 points"),
+        mutant<LightRules{.one_key = true}>("key_ignored", "every key gives the same points"),
+        mutant<LightRules{.counts_on = true}>(
+            "running_counter", "the points depend on earlier calls: only on the key"),
+        mutant<LightRules{.regular_is_jittered = true}>("regular_at_random",
+                                                        "regular: the points are random"),
     };
 }
 

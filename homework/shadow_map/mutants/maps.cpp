@@ -127,78 +127,80 @@ grading::Other face_mutant(const char* name, const char* cause) {
 
 std::vector<grading::Other> map_mutants() {
     return {
-        texel_mutant<{.swapped = true}>("axes_swapped",
-                                        "the face's x and y are swapped: x → y → z "
-                                        "→ x"),
-        texel_mutant<{.mirrored = true}>("mirrored_faces",
-                                         "faces that look against an axis are mirrored: none is"),
-        texel_mutant<{.one_side = true}>("sign_forgotten",
-                                         "faces 1, 3, 5 are never used: the sign is forgotten"),
-        texel_mutant<{.other_side = true}>("sides_swapped",
-                                           "faces along an axis and against it are "
-                                           "swapped: s is 1 against it"),
-        texel_mutant<{.last_of_equals = true}>(
+        texel_mutant<TexelRules{.swapped = true}>("axes_swapped",
+                                                  "the face's x and y are swapped: x → y → z "
+                                                  "→ x"),
+        texel_mutant<TexelRules{.mirrored = true}>(
+            "mirrored_faces", "faces that look against an axis are mirrored: none is"),
+        texel_mutant<TexelRules{.one_side = true}>(
+            "sign_forgotten", "faces 1, 3, 5 are never used: the sign is forgotten"),
+        texel_mutant<TexelRules{.other_side = true}>("sides_swapped",
+                                                     "faces along an axis and against it are "
+                                                     "swapped: s is 1 against it"),
+        texel_mutant<TexelRules{.last_of_equals = true}>(
             "last_of_equals", "of equal |components| the last is taken, not the first"),
-        texel_mutant<{.past_the_end = true}>("past_the_end",
-                                             "a place at 1 is past the last texel: keep it in"),
-        texel_mutant<{.rounded = true}>("half_texel_shift",
-                                        "rounded to the nearest: half a texel off. Round down"),
-        texel_mutant<{.one_short = true}>("one_texel_short",
-                                          "multiplied by n − 1: there are n texels, not borders"),
-        texel_mutant<{.not_divided = true}>(
+        texel_mutant<TexelRules{.past_the_end = true}>(
+            "past_the_end", "a place at 1 is past the last texel: keep it in"),
+        texel_mutant<TexelRules{.rounded = true}>(
+            "half_texel_shift", "rounded to the nearest: half a texel off. Round down"),
+        texel_mutant<TexelRules{.one_short = true}>(
+            "one_texel_short", "multiplied by n − 1: there are n texels, not borders"),
+        texel_mutant<TexelRules{.not_divided = true}>(
             "not_divided", "not divided by the largest |component|, but by the length"),
-        texel_mutant<{.by_angle = true}>("by_angle",
-                                         "the angle is used: a face is flat, use the ratio"),
-        texel_mutant<{.by_length = true}>("squares_overflow",
-                                          "squares overflow or vanish: the length is not needed"),
-        texel_mutant<{.unguarded = true}>("no_direction",
-                                          "a direction that is zero or not finite is not caught"),
+        texel_mutant<TexelRules{.by_angle = true}>(
+            "by_angle", "the angle is used: a face is flat, use the ratio"),
+        texel_mutant<TexelRules{.by_length = true}>(
+            "squares_overflow", "squares overflow or vanish: the length is not needed"),
+        texel_mutant<TexelRules{.unguarded = true}>(
+            "no_direction", "a direction that is zero or not finite is not caught"),
 
-        direction_mutant<{.corner = true}>("texel_corner",
-                                           "through the texel's corner: half a texel is missing"),
-        direction_mutant<{.one_short = true}>("edge_to_edge",
-                                              "divided by n − 1: that goes through the edges"),
-        direction_mutant<{.swapped = true}>("direction_axes_swapped",
-                                            "the face's x and y are swapped: x → y → z → x"),
-        direction_mutant<{.mirrored = true}>(
+        direction_mutant<DirectionRules{.corner = true}>(
+            "texel_corner", "through the texel's corner: half a texel is missing"),
+        direction_mutant<DirectionRules{.one_short = true}>(
+            "edge_to_edge", "divided by n − 1: that goes through the edges"),
+        direction_mutant<DirectionRules{.swapped = true}>(
+            "direction_axes_swapped", "the face's x and y are swapped: x → y → z → x"),
+        direction_mutant<DirectionRules{.mirrored = true}>(
             "direction_mirrored", "faces that look against an axis are mirrored: none is"),
-        direction_mutant<{.other_side = true}>(
+        direction_mutant<DirectionRules{.other_side = true}>(
             "direction_other_side", "along the axis and against it are swapped: s is 1 against it"),
-        direction_mutant<{.any_length = true}>("not_unit", "the length is not 1"),
-        direction_mutant<{.zero_to_one = true}>("zero_to_one",
-                                                "a face goes from −1 to 1, not from "
-                                                "0"),
+        direction_mutant<DirectionRules{.any_length = true}>("not_unit", "the length is not 1"),
+        direction_mutant<DirectionRules{.zero_to_one = true}>("zero_to_one",
+                                                              "a face goes from −1 to 1, not from "
+                                                              "0"),
 
-        face_mutant<{.stored = FaceRules::depth}>(
+        face_mutant<FaceRules{.stored = FaceRules::depth}>(
             "depth_for_distance",
             "depth along the axis is stored, or t of a ray whose direction is not of length 1: the "
             "distance is asked for"),
-        face_mutant<{.stored = FaceRules::square}>("square_of_distance",
-                                                   "the square of the distance is stored"),
-        face_mutant<{.stored = FaceRules::inverse}>("inverse_distance",
-                                                    "the inverse of the distance is stored"),
-        face_mutant<{.miss = 0}>("miss_is_zero",
-                                 "where nothing is hit it is dark: infinity, not 0"),
-        face_mutant<{.miss = 1e6f}>("miss_is_large",
-                                    "where nothing is hit a number is stored, not infinity"),
-        face_mutant<{.corner = true}>("ray_through_corner",
-                                      "rays go through the texels' corners, not their centres"),
-        face_mutant<{.transposed = true}>("transposed", "x and y of the image are swapped"),
-        face_mutant<{.behind = true}>("looks_back", "rays run the other way"),
-        face_mutant<{.place_on_face = true}>(
+        face_mutant<FaceRules{.stored = FaceRules::square}>("square_of_distance",
+                                                            "the square of the distance is stored"),
+        face_mutant<FaceRules{.stored = FaceRules::inverse}>(
+            "inverse_distance", "the inverse of the distance is stored"),
+        face_mutant<FaceRules{.miss = 0}>("miss_is_zero",
+                                          "where nothing is hit it is dark: infinity, not 0"),
+        face_mutant<FaceRules{.miss = 1e6f}>(
+            "miss_is_large", "where nothing is hit a number is stored, not infinity"),
+        face_mutant<FaceRules{.corner = true}>(
+            "ray_through_corner", "rays go through the texels' corners, not their centres"),
+        face_mutant<FaceRules{.transposed = true}>("transposed",
+                                                   "x and y of the image are swapped"),
+        face_mutant<FaceRules{.behind = true}>("looks_back", "rays run the other way"),
+        face_mutant<FaceRules{.place_on_face = true}>(
             "writes_past_the_tile", "written at the place on the face: the image is the tile's"),
-        face_mutant<{.forgets_corner = true}>(
+        face_mutant<FaceRules{.forgets_corner = true}>(
             "tile_corner_forgotten", "the tile's corner is forgotten: it begins at (x0, y0)"),
-        face_mutant<{.n_of_image = true}>(
+        face_mutant<FaceRules{.n_of_image = true}>(
             "n_of_the_image", "the image's width is taken for n: it is the tile's width"),
-        face_mutant<{.t_min = 1e-3f}>("fixed_epsilon",
-                                      "t_min is a fixed length, under which all is lost: take 0"),
-        face_mutant<{.t_max = 1e4f}>("fixed_end", "t_max is a fixed length: take infinity"),
-        face_mutant<{.in_float = true}>("light_in_float",
-                                        "the light's position was rounded to float"),
-        face_mutant<{.kind = RayKind::primary}>("counted_as_primary",
-                                                "the rays are shadow rays: RayKind::shadow"),
-        face_mutant<{.twice = true}>("shot_twice", "every ray is shot twice"),
+        face_mutant<FaceRules{.t_min = 1e-3f}>(
+            "fixed_epsilon", "t_min is a fixed length, under which all is lost: take 0"),
+        face_mutant<FaceRules{.t_max = 1e4f}>("fixed_end",
+                                              "t_max is a fixed length: take infinity"),
+        face_mutant<FaceRules{.in_float = true}>("light_in_float",
+                                                 "the light's position was rounded to float"),
+        face_mutant<FaceRules{.kind = RayKind::primary}>(
+            "counted_as_primary", "the rays are shadow rays: RayKind::shadow"),
+        face_mutant<FaceRules{.twice = true}>("shot_twice", "every ray is shot twice"),
     };
 }
 

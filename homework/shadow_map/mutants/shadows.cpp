@@ -147,53 +147,62 @@ grading::Other pcf_mutant(const char* name, const char* cause) {
 std::vector<grading::Other> shadow_mutants() {
     using P = PcfRules;
     return {
-        lit_mutant<{.reversed = true}>("reversed", "the comparison is turned round"),
-        lit_mutant<{.no_bias = true}>("bias_not_used", "the bias is not added: acne"),
-        lit_mutant<{.takes_bias_away = true}>(
+        lit_mutant<LitRules{.reversed = true}>("reversed", "the comparison is turned round"),
+        lit_mutant<LitRules{.no_bias = true}>("bias_not_used", "the bias is not added: acne"),
+        lit_mutant<LitRules{.takes_bias_away = true}>(
             "bias_taken_away", "the bias makes shadows of what is lit: it has the wrong sign"),
-        lit_mutant<{.strict = true}>("strictly_less", "as far as stored is lit: ≤, not <"),
-        lit_mutant<{.depth = true}>("depth_compared",
-                                    "depth along the axis is compared with distances"),
-        lit_mutant<{.empty_is_dark = true}>("empty_is_dark",
-                                            "where nothing is stored it is lit, not dark"),
-        lit_mutant<{.light_is_dark = true}>("light_is_dark", "what is in the light is lit"),
-        lit_mutant<{.next_texel = true}>("next_texel", "the texel beside the receiver's is read"),
-        lit_mutant<{.shares_only = true}>("fades", "a ratio is returned: one comparison is 0 or 1"),
-        lit_mutant<{.by_normal = true}>(
+        lit_mutant<LitRules{.strict = true}>("strictly_less", "as far as stored is lit: ≤, not <"),
+        lit_mutant<LitRules{.depth = true}>("depth_compared",
+                                            "depth along the axis is compared with distances"),
+        lit_mutant<LitRules{.empty_is_dark = true}>("empty_is_dark",
+                                                    "where nothing is stored it is lit, not dark"),
+        lit_mutant<LitRules{.light_is_dark = true}>("light_is_dark", "what is in the light is lit"),
+        lit_mutant<LitRules{.next_texel = true}>("next_texel",
+                                                 "the texel beside the receiver's is read"),
+        lit_mutant<LitRules{.shares_only = true}>("fades",
+                                                  "a ratio is returned: one comparison is 0 or 1"),
+        lit_mutant<LitRules{.by_normal = true}>(
             "by_the_normal", "the normal may point either way: only distances are compared"),
 
-        pcf_mutant<{.averages_distances = true}>(
+        pcf_mutant<PcfRules{.averages_distances = true}>(
             "averages_distances",
             "distances are averaged, then compared: compare first, average the answers"),
-        pcf_mutant<{.edge = P::kept_in}>(
+        pcf_mutant<PcfRules{.edge = P::kept_in}>(
             "stays_on_its_face", "at the face's edge its own rim is read again: cross over"),
-        pcf_mutant<{.edge = P::wrapped}>("wraps_round",
-                                         "past the edge comes the same face's other side: cross "
-                                         "over"),
-        pcf_mutant<{.edge = P::left_out}>("leaves_edges_out",
-                                          "texels past the edge are left out: cross over"),
-        pcf_mutant<{.edge = P::dark}>("dark_past_edges", "past the edge all is dark: cross over"),
-        pcf_mutant<{.edge = P::bright}>("bright_past_edges",
-                                        "past the edge all is lit: cross over"),
-        pcf_mutant<{.edge = P::same_place}>(
+        pcf_mutant<PcfRules{.edge = P::wrapped}>(
+            "wraps_round",
+            "past the edge comes the same face's other side: cross "
+            "over"),
+        pcf_mutant<PcfRules{.edge = P::left_out}>("leaves_edges_out",
+                                                  "texels past the edge are left out: cross over"),
+        pcf_mutant<PcfRules{.edge = P::dark}>("dark_past_edges",
+                                              "past the edge all is dark: cross over"),
+        pcf_mutant<PcfRules{.edge = P::bright}>("bright_past_edges",
+                                                "past the edge all is lit: cross over"),
+        pcf_mutant<PcfRules{.edge = P::same_place}>(
             "not_turned_over",
             "the neighbouring face's axes are not those of this one: fold the "
             "place over the edge"),
-        pcf_mutant<{.corner = P::dark_corner}>(
+        pcf_mutant<PcfRules{.corner = P::dark_corner}>(
             "dark_corner", "past a corner there is no texel: the mean is of eight"),
-        pcf_mutant<{.corner = P::kept_corner}>("corner_twice",
-                                               "the corner's texel is counted twice: the mean is "
-                                               "of eight"),
-        pcf_mutant<{.from = 0, .to = 0}>("one_answer", "only the receiver's own texel is read"),
-        pcf_mutant<{.from = -1, .to = 0}>("two_by_two", "2 × 2 texels, half a texel off: 3 × 3"),
-        pcf_mutant<{.plus = true}>("plus_shaped", "the diagonal neighbours are missing: 3 × 3"),
-        pcf_mutant<{.tent = true}>("weighted", "the middle counts more: all nine count alike"),
-        pcf_mutant<{.reversed = true}>("pcf_reversed", "the comparison is turned round"),
-        pcf_mutant<{.no_bias = true}>("pcf_without_bias", "the bias is not added: acne"),
-        pcf_mutant<{.sum = true}>("not_a_mean", "the sum is not divided by the count"),
-        pcf_mutant<{.depth = true}>("pcf_of_depth",
-                                    "depth along the axis is compared with distances"),
-        pcf_mutant<{.majority = true}>("majority", "the mean is rounded to 0 or 1"),
+        pcf_mutant<PcfRules{.corner = P::kept_corner}>(
+            "corner_twice",
+            "the corner's texel is counted twice: the mean is "
+            "of eight"),
+        pcf_mutant<PcfRules{.from = 0, .to = 0}>("one_answer",
+                                                 "only the receiver's own texel is read"),
+        pcf_mutant<PcfRules{.from = -1, .to = 0}>("two_by_two",
+                                                  "2 × 2 texels, half a texel off: 3 × 3"),
+        pcf_mutant<PcfRules{.plus = true}>("plus_shaped",
+                                           "the diagonal neighbours are missing: 3 × 3"),
+        pcf_mutant<PcfRules{.tent = true}>("weighted",
+                                           "the middle counts more: all nine count alike"),
+        pcf_mutant<PcfRules{.reversed = true}>("pcf_reversed", "the comparison is turned round"),
+        pcf_mutant<PcfRules{.no_bias = true}>("pcf_without_bias", "the bias is not added: acne"),
+        pcf_mutant<PcfRules{.sum = true}>("not_a_mean", "the sum is not divided by the count"),
+        pcf_mutant<PcfRules{.depth = true}>("pcf_of_depth",
+                                            "depth along the axis is compared with distances"),
+        pcf_mutant<PcfRules{.majority = true}>("majority", "the mean is rounded to 0 or 1"),
     };
 }
 

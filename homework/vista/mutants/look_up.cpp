@@ -34,15 +34,15 @@ void look_up(const Screen& screen, Tile tile, ImageView<const NodeId> ids, Trace
 std::vector<grading::Other> look_up_mutants() {
     return {
         {"no_fallback", "vista.t7", "a named node that is missed is not traced",
-         with(&Steps::look_up, look_up<{.falls_back = false}>)},
+         with(&Steps::look_up, look_up<LookUpRules{.falls_back = false}>)},
         {"fallback_not_marked", "vista.t7", "fell_back stays 0",
-         with(&Steps::look_up, look_up<{.marks = false}>)},
+         with(&Steps::look_up, look_up<LookUpRules{.marks = false}>)},
         {"every_ray_traced", "vista.t7", "every ray is traced, whatever the buffer says",
-         with(&Steps::look_up, look_up<{.always_traces = true}>)},
+         with(&Steps::look_up, look_up<LookUpRules{.always_traces = true}>)},
         {"sky_traced", "vista.t7", "pixels without a node are traced",
-         with(&Steps::look_up, look_up<{.counts_sky = true}>)},
+         with(&Steps::look_up, look_up<LookUpRules{.counts_sky = true}>)},
         {"corner_rays", "vista.t7", "rays go through the pixels' corners: add ½ to x and y",
-         with(&Steps::look_up, look_up<{.centre = 0}>)},
+         with(&Steps::look_up, look_up<LookUpRules{.centre = 0}>)},
     };
 }
 

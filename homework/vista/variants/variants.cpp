@@ -196,9 +196,9 @@ std::vector<grading::Other> variants() {
         {"paint_in_float", "vista.t6", "in float",
          with(&Steps::rasterise, Painter<float, PaintRules{}>::rasterise)},
         {"bottom_right", "vista.t6", "the bottom-right rule",
-         with(&Steps::rasterise, Painter<double, {.tie = Tie::bottom_right}>::rasterise)},
+         with(&Steps::rasterise, Painter<double, PaintRules{.tie = Tie::bottom_right}>::rasterise)},
         {"by_columns", "vista.t6", "column by column",
-         with(&Steps::rasterise, Painter<double, {.by_columns = true}>::rasterise)},
+         with(&Steps::rasterise, Painter<double, PaintRules{.by_columns = true}>::rasterise)},
         {"pixel_by_pixel", "vista.t7", "a ray a call", with(&Steps::look_up, pixel_by_pixel)},
         {"all_at_once", "vista.t7", "a tile a call", with(&Steps::look_up, all_at_once)},
     };
