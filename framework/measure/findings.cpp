@@ -108,7 +108,7 @@ std::vector<ErrorPlane> planes_of(const SceneReport& scene, const Metric& metric
                 plane.points.push_back({&series, &point, {point.frame_ms, errors->*metric.value}});
             }
         }
-        if (truth.exact && !plane.points.empty()) {
+        if ((truth.exact || truth.baseline) && !plane.points.empty()) {
             const double off = truth.baseline ? *truth.baseline.*metric.value : 0;
             plane.points.push_back({nullptr, &scene.baseline, {scene.baseline.frame_ms, off}});
         }

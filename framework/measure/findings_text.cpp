@@ -39,11 +39,14 @@ void add_truth(const SceneReport& scene, const LabTruth& truth, Sentences& all) 
         all.push_back("truth, " + facts);
         return;
     }
-    const double wanted = std::round(truth.samples * std::pow(5 * ratio, 2));
+    const double times = std::pow(5 * ratio, 2);
+    const auto wanted = static_cast<std::uint64_t>(std::round(truth.samples * times));
     all.push_back(
         fmt::format("WARNING: truth, {}, more than a fifth: errors that small are partly "
-                    "the truth's own; about {} samples a pixel would do",
-                    facts, grouped(static_cast<std::uint64_t>(wanted))));
+                    "the truth's own; {} would do",
+                    facts,
+                    truth.baseline ? fmt::format("{:.1f} times its work", times)
+                                   : fmt::format("about {} samples a pixel", grouped(wanted))));
 }
 
 std::string slope_text(const SlopeFinding& slope) {

@@ -60,6 +60,7 @@ class SceneLab {
     LabSeries series_by_parameter(const TechniqueInfo& info);
     /// What a technique that goes by no samples is to show.
     [[nodiscard]] const TruthPicture& approximated_by(const TechniqueInfo& info);
+    [[nodiscard]] const TruthPicture& own_truth(const TechniqueInfo& info);
     LabPoint point_by_parameter(const Subject& subject);
     std::optional<LeftOutCost> left_out_cost(const LabPoint& point, const std::string& setting,
                                              const Subject& subject);
@@ -165,21 +166,28 @@ void SceneLab::measure_baseline() {
                      at_one.outcome.frame.colour, frame_truth_);
 }
 
+/// Of two seeds, so that it knows its own error.
+const TruthPicture& SceneLab::own_truth(const TechniqueInfo& info) {
+    const auto known = own_truths_.find(&info);
+    if (known != own_truths_.end()) return known->second;
+    const Subject subject{&info, std::string(info.truth), 1, scene_->budget.skip};
+    begin("truth: " + described(subject), 2);
+    const std::uint64_t seed = scene_->shot.seed;
+    const Reference reference = reference_of_halves(picture_of(subject, bench_, seed + 1),
+                                                    picture_of(subject, bench_, seed + 2));
+    LabTruth facts;
+    facts.name = described(subject);
+    facts.samples = 2;
+    facts.standard_error = reference.displayed_error;
+    TruthPicture truth = truth_picture(facts, reference.linear);
+    truth.facts.baseline = errors_between(truth.shown.view(), frame_truth_.shown.view());
+    report_.truths.push_back(truth.facts);
+    pictures_.add_to(report_.truths.back(), fmt::format("{} truth", info.name), truth);
+    return own_truths_.emplace(&info, std::move(truth)).first->second;
+}
+
 const TruthPicture& SceneLab::approximated_by(const TechniqueInfo& info) {
-    if (!info.truth.empty()) {
-        const auto known = own_truths_.find(&info);
-        if (known != own_truths_.end()) return known->second;
-        const Subject subject{&info, std::string(info.truth), 1, scene_->budget.skip};
-        begin("truth: " + described(subject), 1);
-        LabTruth facts;
-        facts.name = described(subject);
-        facts.exact = true;
-        TruthPicture truth = truth_picture(facts, picture_of(subject, bench_, scene_->shot.seed));
-        truth.facts.baseline = errors_between(truth.shown.view(), frame_truth_.shown.view());
-        report_.truths.push_back(truth.facts);
-        pictures_.add_to(report_.truths.back(), fmt::format("{} truth", info.name), truth);
-        return own_truths_.emplace(&info, std::move(truth)).first->second;
-    }
+    if (!info.truth.empty()) return own_truth(info);
     const bool many_samples = info.whole_lens && scene_->shot.camera.has_lens() && converged_;
     return many_samples ? *converged_ : frame_truth_;
 }

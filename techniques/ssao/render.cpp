@@ -116,7 +116,7 @@ class Ssao : public Technique {
         } else {
             passes_.all_visible();
         }
-        show_passes(params, frame);
+        if (context.budget().planes) show_passes(params, frame);
         if (Show(params.show) == Show::visibility) {
             return show_visibility(passes_.visibility(), frame.colour);
         }

@@ -42,6 +42,14 @@ class Throws final : public testing::Off {
     }
 };
 
+/// Another grey for every seed.
+class ByChance final : public testing::Off {
+ public:
+    void render(const Scene&, const Shot& shot, Frame& frame, Context&) override {
+        frame.colour = Image<Rgb>(shot.size, Rgb(static_cast<float>(Key(shot.seed).uniform(0))));
+    }
+};
+
 LabOptions small() {
     LabOptions options = LabOptions::quick();
     options.repeat = {0, 3};
@@ -125,7 +133,7 @@ TEST(Lab, MeasuresATechniqueAgainstATruthOfItsOwnMaking) {
     const SceneReport report = lab_of(info);
     const LabSeries& series = report.series[0];
     EXPECT_EQ(series.truth, std::string(info.name) + " error=0.5");
-    EXPECT_TRUE(report.truth(series.truth)->exact);
+    EXPECT_EQ(report.truth(series.truth)->standard_error, 0);  // nothing is random
     EXPECT_EQ(series.points[0].errors.rmse, 0);
     EXPECT_GT(series.points[2].errors.rmse, 0);
     // The baseline is what the last setting shows, and no better.
@@ -136,6 +144,17 @@ TEST(Lab, MeasuresATechniqueAgainstATruthOfItsOwnMaking) {
     ASSERT_NE(own, planes.end());
     EXPECT_EQ(own->points.back().series, nullptr);
     EXPECT_EQ(own->points.back().at.error, series.points[2].errors.rmse);
+}
+
+TEST(Lab, KnowsTheErrorOfATruthThatATechniqueMakesByChance) {
+    TechniqueInfo info{"chance", "by chance", "", create<ByChance>, {}};
+    info.approximates = false;
+    info.truth = "error=0";
+    const SceneReport report = lab_of(info);
+    const LabTruth* truth = report.truth("chance error=0");
+    ASSERT_NE(truth, nullptr);
+    EXPECT_GT(truth->standard_error, 0);
+    EXPECT_FALSE(truth->exact);
 }
 
 TEST(Lab, MakesTheTruthBetterUntilItIsGoodEnoughAndSaysHowGoodItIs) {
