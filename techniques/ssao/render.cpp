@@ -116,7 +116,7 @@ class Ssao : public Technique {
         } else {
             passes_.all_visible();
         }
-        if (context.budget().planes) show_passes(params, frame);
+        show_passes(params, frame);  // the kit tells public scenes by their depths
         if (Show(params.show) == Show::visibility) {
             return show_visibility(passes_.visibility(), frame.colour);
         }
